@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_EXCEPTIONS_H
+#define CGAL_QUAD_LAYOUTS_EXCEPTIONS_H
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+/// \addtogroup PkgQuadLayoutsExceptions
+/// @{
+
+/// is the base of everything that this package throws on purpose.
+class Error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// says that the input mesh cannot be used; the derived class says why, the message says where.
+class Invalid_mesh : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// says that the mesh has no face.
+class Empty_mesh : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that a face has more than three sides.
+class Non_triangle_face : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that a face has no area or repeats a vertex.
+class Degenerate_face : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that two faces have the same three vertices.
+class Duplicate_face : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that several fans of faces meet in one vertex.
+class Non_manifold_vertex : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that a coordinate is infinite or not a number.
+class Non_finite_point : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that the mesh has a border; closed surfaces are required.
+class Mesh_with_border : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that the value of a named parameter is outside its range.
+class Invalid_parameter : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// says that a stage could not deliver a valid result; the message names the stage and the place.
+class Stage_failure : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// says that the visitor asked to stop.
+class Cancelled : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// @}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_EXCEPTIONS_H
