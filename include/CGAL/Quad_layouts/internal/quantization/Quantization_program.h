@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_PROGRAM_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_PROGRAM_H
+
+#include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// What the user asks of a quantization, in the units of the T-mesh.
+struct Quantization_demands
+{
+  double tangent;        // of the largest deviation alpha
+  double reach;          // 2r as a length: what two vertices that move towards each other can bridge
+  int minimum_index;     // of a layout vertex, in quarters
+  int maximum_index;
+};
+
+// The integer program of [LCK21b], Section 4.5, as plain data over the arcs of a T-mesh. Nothing is simplified here:
+// this is what a quantization is checked against.
+struct Quantization_program
+{
+  // sum of q over the first side = sum of q over the second side
+  struct Equation
+  {
+    std::vector<int> left, right;
+  };
+  // rows (2) and (6) of one trace: per entry k, the sum of q over the first k arcs must be positive; ascending
+  using Prefixes = std::vector<int>;
+
+  std::vector<double> weight;           // per arc, Equation (1)
+  std::vector<Equation> equations;      // two per patch
+  std::vector<Prefixes> prefixes;       // per trace
+  std::vector<int> singularities;       // the nodes that have an index row (5)
+  std::vector<Close_pair> pairs;        // the indicators (3), one per unordered pair
+  std::vector<std::pair<int, int>> index_range;    // per node, for its row (5)
+
+  // the penalty of a violated row, Equation (9)
+  double penalty() const { return std::accumulate(weight.begin(), weight.end(), 0.); }
+};
+
+// returns the lengths of the first 0, 1, 2, ... arcs of trace `t`
+inline std::vector<double> cumulative_lengths(const T_mesh& t_mesh, int t)
+{
+  std::vector<double> result(1, 0.);
+  for (int a : t_mesh.traces[t].arcs)
+    result.push_back(result.back() + t_mesh.length(a));
+  return result;
+}
+
+namespace quantization_program {
+
+// returns the two consistency equations of each patch
+inline std::vector<Quantization_program::Equation> equations(const T_mesh& t_mesh)
+{
+  std::vector<Quantization_program::Equation> result;
+  const auto arcs = [](const std::vector<int>& side) {
+    std::vector<int> edges;
+    for (int h : side)
+      edges.push_back(T_mesh::edge(h));
+    return edges;
+  };
+  for (int p = 0; p < t_mesh.number_of_faces(); ++p) {
+    const auto sides = t_mesh.sides(p);
+    for (int k : {0, 1})
+      result.push_back({arcs(sides[k]), arcs(sides[k + 2])});
+  }
+  return result;
+}
+
+// returns per arc half the length of the patches beside it, across it: the length of a dual loop is then the
+// sum of the weights of the arcs that it crosses
+inline std::vector<double> weights(const T_mesh& t_mesh)
+{
+  std::vector<double> result(t_mesh.number_of_edges(), 0.);
+  for (int p = 0; p < t_mesh.number_of_faces(); ++p) {
+    const auto sides = t_mesh.sides(p);
+    std::array<double, 4> length{};
+    for (int k = 0; k < 4; ++k)
+      for (int h : sides[k])
+        length[k] += t_mesh.length(T_mesh::edge(h));
+    for (int k = 0; k < 4; ++k)
+      for (int h : sides[k])
+        result[T_mesh::edge(h)] += (length[(k + 1) % 4] + length[(k + 3) % 4]) / 4;
+  }
+  return result;
+}
+
+// says if the trace that runs `own` until it meets one that has run `other` needs a positive prefix there. The
+// longer leg separates the two singularities, Equation (2), the shorter one keeps a separatrix that
+// deviates too much from forming, Equation (6).
+inline bool must_be_positive(double own, double other, bool own_is_longer, const Quantization_demands& demands)
+{
+  return own_is_longer ? own > demands.reach
+                       : own - demands.reach > demands.tangent * (other + demands.reach);
+}
+
+// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the one of the
+// later trace counts as the longer.
+inline std::vector<Quantization_program::Prefixes>
+prefixes(const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
+         const Quantization_demands& demands)
+{
+  std::vector<Quantization_program::Prefixes> result(t_mesh.traces.size());
+  for (const auto& visits : t_mesh.node_visits) {
+    if (visits.size() != 2)
+      continue;
+    const auto key = [&](const T_mesh::Visit& v) {
+      return std::make_tuple(lengths[v.trace][v.arcs], v.trace, v.arcs);
+    };
+    for (int k : {0, 1}) {
+      const auto own = key(visits[k]), other = key(visits[1 - k]);
+      if (must_be_positive(std::get<0>(own), std::get<0>(other), own > other, demands))
+        result[visits[k].trace].push_back(visits[k].arcs);
+    }
+  }
+  // a trace that runs into a singularity meets it at distance 0 on the other leg
+  for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
+    if (!t_mesh.traces[t].arcs.empty() &&
+        t_mesh.is_singularity_or_seed(t_mesh.target(2 * t_mesh.traces[t].arcs.back())) &&
+        lengths[t].back() > demands.reach)
+      result[t].push_back(int(t_mesh.traces[t].arcs.size()));
+  for (auto& p : result)
+    std::sort(p.begin(), p.end());
+  return result;
+}
+
+} // namespace quantization_program
+
+// returns the program of [LCK21b] for `t_mesh`
+inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
+                                                       const Quantization_demands& demands)
+{
+  std::vector<std::vector<double>> lengths;
+  for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
+    lengths.push_back(cumulative_lengths(t_mesh, int(t)));
+
+  Quantization_program result;
+  result.weight = quantization_program::weights(t_mesh);
+  result.equations = quantization_program::equations(t_mesh);
+  result.prefixes = quantization_program::prefixes(t_mesh, lengths, demands);
+  result.pairs = close_pairs(t_mesh, lengths, demands.reach);
+  result.index_range.assign(t_mesh.number_of_vertices(), {demands.minimum_index, demands.maximum_index});
+  for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
+    if (t_mesh.is_singularity_or_seed(n)) {
+      result.singularities.push_back(n);
+      // a singularity that is out of the range by itself is not to blame for it
+      auto& range = result.index_range[n];
+      range.first = (std::min)(range.first, t_mesh.index(n));
+      range.second = (std::max)(range.second, t_mesh.index(n));
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_PROGRAM_H
