@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE visitor
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Quad_layouts/visitor.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace QL = CGAL::Quad_layouts;
+namespace params = QL::parameters;
+
+namespace {
+
+// writes down what it is told, and stops the work after `patience` reports
+struct Diary : QL::Default_visitor
+{
+  std::shared_ptr<std::string> text = std::make_shared<std::string>();
+  int patience = 100;
+
+  void before_stage(const char* name) { *text += std::string("<") + name; }
+  void after_stage(const char* name, double seconds)
+  {
+    BOOST_TEST(seconds >= 0);
+    *text += std::string(name) + ">";
+  }
+  void progress(const char*, double fraction) { *text += fraction < 1 ? "." : "!"; }
+  void improved(double objective, double bound, double)
+  {
+    *text += std::to_string(int(objective)) + "/" + std::to_string(int(bound));
+  }
+  bool go_on() { return --patience >= 0; }
+};
+
+template <class NamedParameters>
+int work(const NamedParameters& np)
+{
+  const QL::internal::Monitor monitor = QL::internal::monitor_from(np);
+  monitor.run("a", [&] { monitor.report("a", 0.5); });
+  return monitor.run("b", [&] {
+    monitor.improved(9, 8, 0.1);
+    monitor.report("b", 1);
+    return 42;
+  });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(no_visitor)
+{
+  BOOST_TEST(work(params::default_values()) == 42);
+  BOOST_TEST(work(params::visitor(QL::Default_visitor())) == 42);
+}
+
+BOOST_AUTO_TEST_CASE(visitor_by_reference)
+{
+  Diary diary;
+  BOOST_TEST(work(params::visitor(std::ref(diary)).maximum_deviation(20)) == 42);
+  BOOST_TEST(*diary.text == "<a.a><b9/8!b>");
+  BOOST_TEST(diary.patience == 98);
+}
+
+BOOST_AUTO_TEST_CASE(visitor_by_value)
+{
+  const Diary diary;
+  BOOST_TEST(work(CGAL::parameters::visitor(diary)) == 42);
+  BOOST_TEST(*diary.text == "<a.a><b9/8!b>");
+  BOOST_TEST(diary.patience == 100);
+}
+
+BOOST_AUTO_TEST_CASE(visitor_stops_the_work)
+{
+  Diary diary;
+  diary.patience = 1;
+  BOOST_CHECK_THROW(work(params::visitor(std::ref(diary))), QL::Cancelled);
+  BOOST_TEST(*diary.text == "<a.a><b9/8!");
+}
