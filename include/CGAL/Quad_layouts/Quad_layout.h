@@ -79,6 +79,8 @@ public:
   std::vector<Cluster> clusters;           ///< in ascending order of their first node
   std::vector<int> node_vertex;            ///< per node of the T-mesh the layout vertex it becomes
   std::vector<Grid> grids;                 ///< per patch of the T-mesh
+  /// per arc of the T-mesh the layout halfedges that it becomes, in its own direction; none where its length is 0
+  std::vector<std::vector<int>> arc_halfedges;
   std::vector<double> chord_length;        ///< per chord a length on the surface, fitted to the T-mesh
   /// @}
 };
