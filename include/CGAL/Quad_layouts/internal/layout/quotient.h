@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_QUOTIENT_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_QUOTIENT_H
+
+#include <CGAL/Quad_layouts/internal/layout/arc_grid.h>
+#include <CGAL/Quad_layouts/internal/layout/compare_with_surface.h>
+#include <CGAL/Quad_layouts/internal/layout/fibre_loops.h>
+#include <CGAL/Quad_layouts/internal/layout/fibres.h>
+#include <CGAL/Quad_layouts/internal/layout/glued_squares.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// The singularities and seeds that fall onto one vertex of the quotient.
+struct Merged_cluster
+{
+  std::vector<int> nodes;       // ascending
+  int index;                    // sum of the nodes' indices, in quarters
+  std::vector<int> tree_arcs;   // arcs of length 0 that join all nodes; positive ones separate some, unless
+                                // other zero connections join the same nodes
+};
+
+// What a quantization makes of a T-mesh.
+struct Quotient_report
+{
+  bool valid = false;           // the quotient is the same surface, a cluster's vertex has valence 4 - index
+  std::string reason;           // of the first defect found
+  std::vector<std::vector<int>> cuts;     // per defect, arcs whose lengths must not all be 0; sorted, unique
+  std::vector<Merged_cluster> clusters;   // of all singularities and seeds, in ascending order of their first
+                                          // nodes, singletons included; filled for invalid quotients too
+};
+
+template <class T>
+std::vector<T> sorted_unique(std::vector<T> values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+inline std::vector<int> arcs_of(const Fibres& fibres, const std::vector<int>& connections)
+{
+  std::vector<int> result;
+  for (int c : connections)
+    for (int a : fibres.arcs(c))
+      result.push_back(a);
+  return sorted_unique(std::move(result));
+}
+
+inline std::vector<Merged_cluster> merged_clusters(const Fibres& fibres)
+{
+  const T_mesh& t = fibres.grid().t_mesh();
+  std::vector<Merged_cluster> result;
+  std::vector<int> cluster_of_fibre(fibres.size(), -1);
+  for (int n = 0; n < t.number_of_vertices(); ++n) {
+    if (!t.is_singularity_or_seed(n))
+      continue;
+    int& c = cluster_of_fibre[fibres.fibre_of_point(n)];
+    if (c < 0) {
+      c = int(result.size());
+      result.push_back({{}, 0, {}});
+    }
+    result[c].nodes.push_back(n);
+    result[c].index += t.index(n);
+  }
+  for (Merged_cluster& c : result)
+    if (c.nodes.size() > 1) {
+      const Fibre_loops paths(fibres, fibres.fibre_of_point(c.nodes.front()));
+      c.tree_arcs = arcs_of(fibres, paths.tree(c.nodes));
+    }
+  return result;
+}
+
+// Collects defects; the first one gives the reason.
+inline void add_defect(Quotient_report& report, const std::string& reason, std::vector<int> cut)
+{
+  if (report.reason.empty())
+    report.reason = reason;
+  report.cuts.push_back(std::move(cut));
+}
+
+// Finds loops of zero length that patches of zero size do not fill, and spheres that vanish.
+inline void find_unfilled_loops(const Fibres& fibres, Quotient_report& report)
+{
+  for (int f = 0; f < fibres.size(); ++f) {
+    const Fibre& fibre = fibres.fibre(f);
+    const std::string node = std::to_string(fibre.points.front());
+    if (fibre.euler_characteristic() == 1)
+      continue;
+    if (fibre.euler_characteristic() == 2)
+      add_defect(report, "the whole component of node " + node + " has length 0",
+                 arcs_of(fibres, fibre.connections));
+    for (const std::vector<int>& loop : Fibre_loops(fibres, f).unfilled_loops())
+      add_defect(report, "a loop of length 0 at node " + node
+                 + " is not filled by patches of size 0", arcs_of(fibres, loop));
+  }
+}
+
+// Finds rings of patches of zero width, each glued to the next along its long sides.
+inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
+{
+  const Arc_grid& grid = fibres.grid();
+  std::vector<char> visited(grid.number_of_half_segments(), 0);
+  const auto walk = [&](int s, std::vector<int>& patches) {
+    for (; grid.across(s) >= 0 && !visited[s]; s = grid.across(s) ^ 1) {
+      visited[s] = visited[grid.across(s)] = 1;
+      patches.push_back(grid.patch(s));
+    }
+  };
+  std::vector<int> patches;
+  for (int s = 0; s < grid.number_of_half_segments(); ++s)
+    if (grid.across(s) < 0)
+      walk(s ^ 1, patches);                  // chains that end in squares on both sides are sound
+  for (int s = 0; s < grid.number_of_half_segments(); ++s) {
+    patches.clear();
+    walk(s, patches);
+    if (patches.empty())
+      continue;
+    std::vector<int> cut;
+    for (int p : patches)
+      for (int a : fibres.short_side(p))
+        cut.push_back(a);
+    add_defect(report, "patches without extent form a ring through patch "
+               + std::to_string(grid.patch(s)), sorted_unique(std::move(cut)));
+  }
+}
+
+// Examines the quotient complex that integer arc lengths define. Throws `Stage_failure` if lengths are negative or
+// differ on opposite sides of a patch. Expects a length per arc.
+inline Quotient_report examine_quotient(const T_mesh& t_mesh, const std::vector<int>& arc_length)
+{
+  const Arc_grid grid(t_mesh, arc_length);
+  const Fibres fibres(grid);
+  Quotient_report report;
+  report.clusters = merged_clusters(fibres);
+  find_unfilled_loops(fibres, report);
+  find_flat_rings(fibres, report);
+  report.cuts = sorted_unique(std::move(report.cuts));
+  if (report.cuts.empty())
+    report.reason = difference_to_surface(fibres, Glued_squares(grid));
+  report.valid = report.reason.empty();
+  return report;
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_QUOTIENT_H
