@@ -37,7 +37,7 @@ public:
   using Invalid_mesh::Invalid_mesh;
 };
 
-/// says that a face has more than three sides.
+/// says that a face does not have three sides.
 class Non_triangle_face : public Invalid_mesh
 {
 public:
@@ -53,6 +53,13 @@ public:
 
 /// says that two faces have the same three vertices.
 class Duplicate_face : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
+/// says that two vertices are joined by several edges, or that more than two faces meet in an edge.
+class Non_manifold_edge : public Invalid_mesh
 {
 public:
   using Invalid_mesh::Invalid_mesh;
