@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_COMPUTE_CROSS_FIELD_H
+#define CGAL_QUAD_LAYOUTS_COMPUTE_CROSS_FIELD_H
+
+#include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/field/face_vectors.h>
+#include <CGAL/Quad_layouts/internal/field/smooth_cross_field.h>
+#include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
+#include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/visitor.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+namespace internal {
+
+// throws unless the options are in their ranges
+inline void check(const Cross_field_options& options)
+{
+  if (!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
+    throw Invalid_parameter("curvature_alignment: " + std::to_string(options.curvature_alignment) +
+                            " is not a finite number >= 0");
+  if (!(options.diffusion_time > 0) || !std::isfinite(options.diffusion_time))
+    throw Invalid_parameter("diffusion_time: " + std::to_string(options.diffusion_time) +
+                            " is not a finite number > 0");
+  if (options.number_of_iterations < 1)
+    throw Invalid_parameter("number_of_iterations: " + std::to_string(options.number_of_iterations) +
+                            " is less than 1");
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+computes a smooth cross field on a closed triangle mesh, or completes one that is given.
+
+A smooth field minimises the difference between adjacent faces by the diffusion of Merriman, Bence and Osher
+(Viertel and Osting, <em>An approach to quad meshing based on harmonic cross-valued maps and the Ginzburg-Landau
+theory</em>, 2019), softly aligned to the directions of principal curvature and exactly to the directions that are
+prescribed. A given field keeps its directions; only the matchings and indices are computed.
+
+The indices of the field sum to four times the Euler characteristic. The components of the mesh do not influence one
+another, and neither do scale and position; the same input has the same output on every run.
+
+@tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+@tparam NamedParameters a sequence of named parameters
+
+@param tm the surface, closed, with triangles that are not degenerate
+@param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{curvature_alignment}
+    \cgalParamDescription{how strongly the field follows the directions of principal curvature, and so sharp edges: 0 for
+                          not at all; large values keep more of the noise of a scanned surface in the field}
+    \cgalParamType{double}
+    \cgalParamDefault{`0.1`}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_constraint_map}
+    \cgalParamDescription{a direction for some of the faces, which one direction of the cross there shall have; the null
+                          vector leaves a face free. Vectors are projected to their faces.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh` as key type and
+                   a `Vector_3` of any %CGAL kernel as value type}
+    \cgalParamDefault{all faces are free}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_direction_map}
+    \cgalParamDescription{the direction of the field in each face, up to projection to the face. The parameters of smooth
+                          fields are not used then.}
+    \cgalParamType{as above}
+    \cgalParamDefault{a smooth field is computed}
+  \cgalParamNEnd
+  \cgalParamNBegin{diffusion_time}
+    \cgalParamDescription{how far a step of the diffusion reaches: the time of a step, in squared edge lengths. Short times
+                          keep more singularities of the start, long ones ignore small details of the surface.}
+    \cgalParamType{double}
+    \cgalParamDefault{`32`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the maximum number of steps; the diffusion ends earlier when the field hardly changes}
+    \cgalParamType{int}
+    \cgalParamDefault{`40`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+                   `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told the progress, and can stop the work}
+    \cgalParamType{a class like `Default_visitor`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre `tm` is closed and all its faces are triangles.
+
+\throw Invalid_mesh if the mesh cannot be used; the derived class says why.
+\throw Invalid_parameter if a parameter is out of its range, or a given direction is not finite or normal to its face, or,
+       in `face_direction_map`, zero.
+\throw Cancelled if the visitor asks to stop.
+
+The time is dominated by one sparse factorization and two triangular solutions a step; it grows a little faster than the
+number of faces.
+*/
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Cross_field compute_cross_field(const TriangleMesh& tm,
+                                const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  internal::Cross_field_options options;
+  options.curvature_alignment =
+    choose_parameter(get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
+  options.diffusion_time =
+    choose_parameter(get_parameter(np, internal_np::diffusion_time), options.diffusion_time);
+  options.number_of_iterations =
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
+  internal::check(options);
+
+  const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                       get_const_property_map(vertex_point, tm));
+  const auto directions =
+    internal::read_face_vectors(tm, get_parameter(np, internal_np::face_direction_map));
+  const auto constraints =
+    internal::read_face_vectors(tm, get_parameter(np, internal_np::face_constraint_map));
+
+  const internal::Monitor monitor = internal::monitor_from(np);
+  return monitor.run("compute_cross_field", [&] {
+    const auto surface =
+      std::make_shared<const internal::Triangle_surface>(internal::make_triangle_surface(tm, points));
+    return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
+                              : internal::given_cross_field(surface, directions);
+  });
+}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_COMPUTE_CROSS_FIELD_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SMOOTH_CROSS_FIELD_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SMOOTH_CROSS_FIELD_H
+
+#include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/field/Field_diffusion.h>
+#include <CGAL/Quad_layouts/internal/field/curvature.h>
+#include <CGAL/Quad_layouts/internal/field/face_vectors.h>
+#include <CGAL/Quad_layouts/internal/field/matching.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+struct Cross_field_options
+{
+  double curvature_alignment = 0.1;
+  double diffusion_time = 32;
+  int number_of_iterations = 40;
+};
+
+// a cross with direction `angle` as a number that the four directions share
+inline Complex representation(double angle) { return std::polar(1., 4 * angle); }
+
+// the cross field whose direction in face f has the angle angles[f], each period jump the principal one
+inline Cross_field make_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
+                                    const Face_connection& connection, std::vector<double> angles)
+{
+  const std::vector<int> jumps = principal_period_jumps(connection, angles);
+  std::vector<int> vertex_indices = indices(connection, angles, jumps);
+  Cross_field result(surface, std::move(angles), matchings(jumps), std::move(vertex_indices));
+  CGAL_assertion(result.index_sum() == 4 * euler_characteristic(*surface));
+  return result;
+}
+
+// the field whose direction in each face is the projection of the vector there
+inline Cross_field given_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
+                                      const std::vector<Eigen::Vector3d>& directions)
+{
+  std::vector<double> angles;
+  angles.reserve(directions.size());
+  for (int f = 0; f < int(directions.size()); ++f)
+    angles.push_back(projected_angle(*surface, f, directions[f], "face_direction_map"));
+  return make_cross_field(surface, Face_connection(*surface), std::move(angles));
+}
+
+// the representations of the directions of the faces with a vector, and 0 for those with a null vector
+inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
+                                          const std::vector<Eigen::Vector3d>& constraints)
+{
+  std::vector<Complex> result(surface.number_of_faces());
+  for (int f = 0; f < int(constraints.size()); ++f)
+    if (constraints[f] != Eigen::Vector3d::Zero())
+      result[f] = representation(projected_angle(surface, f, constraints[f], "face_constraint_map"));
+  return result;
+}
+
+// a smooth cross field with the directions that `constraints` has; it is empty or has a vector per face
+inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
+                                      const std::vector<Eigen::Vector3d>& constraints,
+                                      const Cross_field_options& options, const Monitor& monitor)
+{
+  const Face_connection connection(*surface);
+  Field_diffusion diffusion(connection, curvature_pulls(connection, options.curvature_alignment),
+                            fixed_crosses(*surface, constraints), options.diffusion_time);
+  diffusion.start(curvature_pulls(connection, 1));
+  constexpr double converged = 1e-3;
+  for (int i = 0; i < options.number_of_iterations; ++i) {
+    monitor.report("compute_cross_field", double(i) / options.number_of_iterations);
+    if (diffusion.step() < converged)
+      break;
+  }
+
+  std::vector<double> angles(surface->number_of_faces());
+  std::transform(diffusion.values().begin(), diffusion.values().end(), angles.begin(),
+                 [](const Complex& u) { return std::arg(u) / 4; });
+  return make_cross_field(surface, connection, std::move(angles));
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SMOOTH_CROSS_FIELD_H
