@@ -9,10 +9,10 @@
 
 #include <CGAL/Quad_layouts/internal/layout/fibres.h>
 #include <CGAL/Quad_layouts/internal/layout/glued_squares.h>
+#include <CGAL/Quad_layouts/internal/layout/number_classes.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -62,15 +62,7 @@ inline std::vector<int> component_of_patches(const T_mesh& t)
   boost::disjoint_sets_with_storage<> sets(t.number_of_faces());
   for (int a = 0; a < t.number_of_edges(); ++a)
     sets.union_set(t.face(2 * a), t.face(2 * a + 1));
-  std::vector<int> number(t.number_of_faces(), -1), result;
-  int n = 0;
-  for (int p = 0; p < t.number_of_faces(); ++p) {
-    int& c = number[sets.find_set(p)];
-    if (c < 0)
-      c = n++;
-    result.push_back(c);
-  }
-  return result;
+  return number_classes(sets, t.number_of_faces()).class_of;
 }
 
 // Returns the Euler characteristic of each component.

@@ -8,11 +8,10 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_FIBRES_H
 
 #include <CGAL/Quad_layouts/internal/layout/arc_grid.h>
+#include <CGAL/Quad_layouts/internal/layout/number_classes.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -105,23 +104,17 @@ private:
     }
   }
 
-  // numbers fibres in the order of their first points
   void group_points()
   {
     const int n = m_grid->number_of_points();
     boost::disjoint_sets_with_storage<> sets(n);
     for (const Zero_connection& c : m_connections)
       sets.union_set(c.from, c.to);
-    std::vector<int> fibre_of_root(n, -1);
-    for (int i = 0; i < n; ++i) {
-      int& f = fibre_of_root[sets.find_set(i)];
-      if (f < 0) {
-        f = size();
-        m_fibres.emplace_back();
-      }
-      m_fibre_of_point.push_back(f);
-      m_fibres[f].points.push_back(i);
-    }
+    Numbered_classes classes = number_classes(sets, n);
+    m_fibre_of_point = std::move(classes.class_of);
+    m_fibres.resize(classes.number);
+    for (int i = 0; i < n; ++i)
+      m_fibres[fibre_of_point(i)].points.push_back(i);
     for (int c = 0; c < int(m_connections.size()); ++c)
       m_fibres[fibre_of_point(m_connections[c].from)].connections.push_back(c);
     const T_mesh& t = m_grid->t_mesh();

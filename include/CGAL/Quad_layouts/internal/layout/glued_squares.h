@@ -48,6 +48,8 @@ public:
   int patch(int square) const { return m_patch[square]; }
   // the half-segment that a side lies on, -1 for sides inside a patch
   int half_segment(int side) const { return m_half_segment[side]; }
+  // the side of a square that a half-segment falls onto, also across flat patches; none is in a flat ring
+  int side_on(int half_segment) const { return m_side[m_grid->facing(half_segment ^ 1)]; }
 
 private:
   void number_squares()
@@ -88,24 +90,24 @@ private:
 
   void glue_along_arcs()
   {
-    std::vector<int> side_of_half_segment(m_grid->number_of_half_segments(), -1);
+    m_side.assign(m_grid->number_of_half_segments(), -1);
     for (int p = 0; p < int(m_first_square.size()); ++p) {
       const int w = m_grid->width(p), h = m_grid->height(p);
       if (m_grid->is_flat(p))
         continue;
       for (int i = 0; i < w; ++i) {
-        side_of_half_segment[m_grid->side(p, 0)[i]] = side(p, i, 0, 0);
-        side_of_half_segment[m_grid->side(p, 2)[i]] = side(p, w - 1 - i, h - 1, 2);
+        m_side[m_grid->side(p, 0)[i]] = side(p, i, 0, 0);
+        m_side[m_grid->side(p, 2)[i]] = side(p, w - 1 - i, h - 1, 2);
       }
       for (int j = 0; j < h; ++j) {
-        side_of_half_segment[m_grid->side(p, 1)[j]] = side(p, w - 1, j, 1);
-        side_of_half_segment[m_grid->side(p, 3)[j]] = side(p, 0, h - 1 - j, 3);
+        m_side[m_grid->side(p, 1)[j]] = side(p, w - 1, j, 1);
+        m_side[m_grid->side(p, 3)[j]] = side(p, 0, h - 1 - j, 3);
       }
     }
-    for (int s = 0; s < int(side_of_half_segment.size()); ++s)
-      if (const int side = side_of_half_segment[s]; side >= 0) {
-        m_half_segment[side] = s;
-        m_opposite[side] = side_of_half_segment[m_grid->facing(s)];
+    for (int s = 0; s < int(m_side.size()); ++s)
+      if (m_side[s] >= 0) {
+        m_half_segment[m_side[s]] = s;
+        m_opposite[m_side[s]] = m_side[m_grid->facing(s)];
       }
   }
 
@@ -126,6 +128,7 @@ private:
   std::vector<int> m_first_square;                      // per patch
   std::vector<int> m_patch;                             // per square
   std::vector<int> m_opposite, m_vertex, m_half_segment;  // per side
+  std::vector<int> m_side;                              // per half-segment, -1 in flat patches
   std::vector<int> m_valence;                           // per vertex
 };
 
