@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_REPAIR_LABELS_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_REPAIR_LABELS_H
+
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/tracing/Labels.h>
+
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Makes all faces valid and all valences positive, by a min-conflicts search that starts from labels that are valid
+// nearly everywhere: again and again, the cheapest change of a label near a bad face or vertex.
+//
+// A label that changes on both sides of its edge keeps the matching. As long as faces are valid, it then
+// keeps the valences, too. A label that changes on one side moves a quarter of index from one end of the edge to
+// the other; this is how vertices of valence 0 and less, around which lines can only spiral, share their
+// index with neighbours.
+class Label_repair
+{
+public:
+  using Surface = Triangle_surface;
+
+  Label_repair(Labels& labels, const Cross_field& field)
+    : m_labels(labels), m_original(labels), m_field(field), m_surface(labels.surface())
+  {
+  }
+
+  void operator()()
+  {
+    for (int f = 0; f < m_surface.number_of_faces(); ++f)
+      suspect(3 * f);
+    const std::size_t limit = 1000 * m_suspects.size() + 1000;
+    m_patience = 20 * m_suspects.size() + 20;
+    for (std::size_t step = 0; !m_suspects.empty(); ++step) {
+      const std::size_t i = m_random() % m_suspects.size();
+      const int h = m_suspects[i];
+      m_suspects[i] = m_suspects.back();
+      m_suspects.pop_back();
+      if (!is_bad(h))
+        continue;
+      if (step == limit)
+        fail(h);
+      apply(best_change(h, step));
+      suspect(h);
+    }
+  }
+
+private:
+  struct Change
+  {
+    int halfedge;
+    int shift;          // is added to the label of the halfedge
+    bool both_sides;    // and to that of the opposite halfedge
+  };
+
+  bool is_bad_vertex(int v) const { return m_labels.valence(v) < 1; }
+  // a suspect is a corner: its face or its vertex may be bad
+  bool is_bad(int h) const
+  {
+    return !m_labels.is_valid(Surface::face(h)) || is_bad_vertex(m_surface.source(h));
+  }
+
+  void suspect(int h)
+  {
+    for (int i = 0; i < 3; ++i, h = Surface::next(h))
+      if (is_bad(h))
+        m_suspects.push_back(h);
+  }
+
+  Change best_change(int h, std::size_t step)
+  {
+    m_best_cost = (std::numeric_limits<double>::max)();
+    if (!m_labels.is_valid(Surface::face(h)))
+      for (int i = 0; i < 3; ++i, h = Surface::next(h))
+        consider_changes(h, step > m_patience);
+    else
+      m_surface.for_each_outgoing(m_surface.source(h), [&](int g) {
+        consider_changes(g, true);
+        consider_changes(Surface::next(g), true);
+      });
+    return m_best;
+  }
+
+  void consider_changes(int h, bool on_one_side_too)
+  {
+    for (int shift = 1; shift < 4; ++shift) {
+      consider({h, shift, true});
+      if (on_one_side_too) {
+        consider({h, shift, false});
+        consider({m_surface.opposite(h), shift, false});
+      }
+    }
+  }
+
+  // the random part of the cost breaks ties, and lets the search leave local minima
+  void consider(const Change& change)
+  {
+    const double before = cost(change.halfedge);
+    shift_labels(change, change.shift);
+    const double random = double(m_random() % 1024) / 1024;
+    const double rise = cost(change.halfedge) - before + random;
+    shift_labels(change, 4 - change.shift);
+    if (rise < m_best_cost) {
+      m_best_cost = rise;
+      m_best = change;
+    }
+  }
+
+  void shift_labels(const Change& change, int shift)
+  {
+    const int h = change.halfedge, g = m_surface.opposite(h);
+    m_labels.set(h, m_labels[h] + shift);
+    if (change.both_sides)
+      m_labels.set(g, m_labels[g] + shift);
+  }
+
+  void apply(const Change& change)
+  {
+    shift_labels(change, change.shift);
+    suspect(change.halfedge);
+    suspect(m_surface.opposite(change.halfedge));
+  }
+
+  // what is wrong at the edge of h: in its two faces, at their four vertices, and in its labels
+  double cost(int h) const
+  {
+    const int g = m_surface.opposite(h);
+    return face_cost(Surface::face(h)) + face_cost(Surface::face(g))
+         + vertex_cost(m_surface.source(h)) + vertex_cost(m_surface.source(g))
+         + label_cost(h) + label_cost(g);
+  }
+  double face_cost(int f) const { return m_labels.is_valid(f) ? 0 : 8; }
+  double vertex_cost(int v) const
+  {
+    const int valence = m_labels.valence(v), wanted = 4 - m_field.index(v);
+    return (valence < 1 ? 8 * (1 - valence) : 0) + (valence != wanted ? 2 : 0);
+  }
+  double label_cost(int h) const
+  {
+    constexpr double distance[] = {0, 1, 2, 1};
+    return distance[(m_labels[h] - m_original[h]) & 3] / 2;
+  }
+
+  [[noreturn]] void fail(int h) const
+  {
+    throw Stage_failure("trace_motorcycle_graph: cannot say which way the field runs through face "
+                        + std::to_string(Surface::face(h)) + ", or around vertex "
+                        + std::to_string(m_surface.source(h)));
+  }
+
+  Labels& m_labels;
+  const Labels m_original;
+  const Cross_field& m_field;
+  const Surface& m_surface;
+  std::vector<int> m_suspects;
+  std::size_t m_patience = 0;
+  std::mt19937 m_random{5489u};
+  Change m_best{};
+  double m_best_cost = 0;
+};
+
+// returns the labels of the field, repaired where need be
+inline Labels make_labels(const Cross_field& field)
+{
+  Labels labels(field);
+  Label_repair repair(labels, field);
+  repair();
+  return labels;
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_REPAIR_LABELS_H

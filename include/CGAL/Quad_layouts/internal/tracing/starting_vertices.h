@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_STARTING_VERTICES_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_STARTING_VERTICES_H
+
+#include <CGAL/Quad_layouts/internal/tracing/Labels.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// returns for every vertex the smallest vertex of its component
+inline std::vector<int> components(const Triangle_surface& surface)
+{
+  std::vector<int> component(surface.number_of_vertices(), -1), stack;
+  for (int v = 0; v < surface.number_of_vertices(); ++v) {
+    if (component[v] >= 0)
+      continue;
+    component[v] = v;
+    stack.push_back(v);
+    while (!stack.empty()) {
+      const int u = stack.back();
+      stack.pop_back();
+      surface.for_each_outgoing(u, [&](int h) {
+        const int w = surface.target(h);
+        if (component[w] < 0) {
+          component[w] = v;
+          stack.push_back(w);
+        }
+      });
+    }
+  }
+  return component;
+}
+
+// returns the vertices where traces start, ascending: the singular ones, `seeds`, and the first vertex of
+// each component that would have none otherwise
+inline std::vector<int> starting_vertices(const Labels& labels, const std::vector<int>& seeds)
+{
+  const Triangle_surface& surface = labels.surface();
+  const std::vector<int> component = components(surface);
+  std::vector<char> starts(surface.number_of_vertices(), 0), has_start(surface.number_of_vertices(), 0);
+  for (int s : seeds)
+    starts[s] = 1;
+  for (int v = 0; v < surface.number_of_vertices(); ++v) {
+    if (labels.valence(v) != 4)
+      starts[v] = 1;
+    has_start[component[v]] |= starts[v];
+  }
+  std::vector<int> result;
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    if (surface.halfedge(v) >= 0 && (starts[v] || !has_start[component[v]])) {
+      has_start[component[v]] = 1;
+      result.push_back(v);
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_STARTING_VERTICES_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_TRACE_MOTORCYCLE_GRAPH_H
+#define CGAL_QUAD_LAYOUTS_TRACE_MOTORCYCLE_GRAPH_H
+
+#include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/tracing/trace_in_field.h>
+#include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/visitor.h>
+
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+namespace internal {
+
+// throws unless the parameters of tracing are in their ranges
+inline void check_tracing_parameters(double maximum_deviation, double maximum_displacement,
+                                     double target_edge_length)
+{
+  if (!(maximum_deviation > 0 && maximum_deviation < 90))
+    throw Invalid_parameter("maximum_deviation: " + std::to_string(maximum_deviation)
+                            + " is not between 0 and 90 degrees");
+  if (!(maximum_displacement >= 0) || !std::isfinite(maximum_displacement))
+    throw Invalid_parameter("maximum_displacement: " + std::to_string(maximum_displacement)
+                            + " is not a finite number >= 0");
+  if (!(target_edge_length > 0) || !std::isfinite(target_edge_length))
+    throw Invalid_parameter("target_edge_length: " + std::to_string(target_edge_length)
+                            + " is not a finite number > 0");
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+traces an extended motorcycle graph in a cross field: a partition of the surface into patches with four corners.
+
+From every singularity of the field, motorcycles set out in all directions of the field, and all advance at the same speed.
+Unlike those of a motorcycle graph they pass the traces of others. A motorcycle stops at a trace when, there or before, it
+has met on its left and on its right the trace of a singularity to which a layout edge would be acceptable
+(\cgalCite{lck-sqlrs-21}, Sections 3.1 and 4.3): one that deviates from the field by at most `maximum_deviation`
+when both singularities are moved by up to `maximum_displacement`. So the result has a node wherever the quantization
+has to decide between layout edges.
+
+Traces of one family can neither merge nor cross, because each triangle maps the sides through which lines enter
+monotonically to those through which they leave (Ray and Sokolov, <em>Robust polylines tracing for N-symmetry
+direction field on triangulated surfaces</em>, 2014); the order of traces along edges is kept explicitly, so rounding
+cannot change the partition. Traces around limit cycles end when they are many times as long as the surface is wide. A component
+without singularities gets a seed, a regular vertex from which four traces start.
+
+Where the field turns too fast for its triangles, the index of a singularity may appear at a neighbor of its vertex, and
+vertices at which no line would start (index 4 and more) share their index with their neighbors. The indices in
+the T-mesh are those that the traces obey; their sum is four times the Euler characteristic.
+
+@tparam NamedParameters a sequence of named parameters
+
+@param field a cross field
+@param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{maximum_deviation}
+    \cgalParamDescription{the angle, in degrees, by which layout edges may deviate from the field. Small angles give long
+                          traces and large T-meshes.}
+    \cgalParamType{double}
+    \cgalParamDefault{`15`}
+    \cgalParamExtra{It must be greater than 0 and less than 90.}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_displacement}
+    \cgalParamDescription{how far singularities may move, in units of the target edge length}
+    \cgalParamType{double}
+    \cgalParamDefault{`2`}
+    \cgalParamExtra{It must not be negative.}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{the length of the edges of the quad mesh to come}
+    \cgalParamType{double}
+    \cgalParamDefault{one percent of the diagonal of the bounding box of the surface}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told the progress, and can stop the work}
+    \cgalParamType{a class like `Default_visitor`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre The surface of `field` is closed.
+
+\throw Invalid_parameter if a parameter is out of its range.
+\throw Stage_failure if the result is not a partition into discs with four corners; this is always checked.
+\throw Cancelled if the visitor asks to stop.
+
+The time is about linear in the number of triangles that all traces cross, plus the crossings of traces in them.
+*/
+template <class NamedParameters = parameters::Default_named_parameters>
+T_mesh trace_motorcycle_graph(const Cross_field& field,
+                              const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  constexpr double degree = 3.14159265358979323846 / 180;
+  const double alpha = choose_parameter(get_parameter(np, internal_np::maximum_deviation), 15.);
+  const double r = choose_parameter(get_parameter(np, internal_np::maximum_displacement), 2.);
+  const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
+                                    0.01 * field.surface().diagonal());
+  internal::check_tracing_parameters(alpha, r, h);
+  CGAL_precondition(field.surface().is_closed());
+
+  const internal::Monitor monitor = internal::monitor_from(np);
+  return monitor.run("trace_motorcycle_graph",
+                     [&] { return internal::trace_in_field(field, std::tan(alpha * degree), r * h, monitor); });
+}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_TRACE_MOTORCYCLE_GRAPH_H
