@@ -1,0 +1,26 @@
+#!/bin/bash
+# Checks all sources with the given compiler and flags, without making code of them.
+
+set -uo pipefail
+cd "$(dirname "$0")/.."
+
+if ! command -v "$1" >/dev/null; then
+  echo "skipped: there is no $1"
+  echo "0 passed, 0 failed"
+  exit
+fi
+
+compile=("$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -DBOOST_TEST_DYN_LINK
+         -DCGAL_USE_GLPK -DCGAL_EIGEN3_ENABLED -Iinclude -Itest -isystem /usr/include/eigen3)
+failures=$(mktemp)
+trap 'rm -f "$failures"' EXIT
+sources=(test/test_*.cpp examples/*.cpp benchmark/*.cpp)
+export failures
+printf '%s\n' "${sources[@]}" | grep -v '\*' |
+  xargs -P 2 -I SOURCE bash -c '"$@" SOURCE || echo SOURCE >>"$failures"' _ "${compile[@]}"
+
+checked=$(printf '%s\n' "${sources[@]}" | grep -cv '\*')
+failed=$(wc -l <"$failures")
+sed 's/^/does not compile: /' "$failures"
+echo "$((checked - failed)) passed, $failed failed"
+[ "$failed" -eq 0 ]

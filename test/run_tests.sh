@@ -1,0 +1,28 @@
+#!/bin/bash
+# Builds and runs all tests and examples; the last line says how many passed and failed.
+# The folder of the build is the first argument, or build/.
+
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source scripts/debian_setup.sh
+
+# shellcheck disable=SC2086 # a list of words
+require_packages $build_packages libboost-test-dev libopenmesh-dev doxygen
+
+build=${1:-build}
+mkdir -p "$build"
+build=$(cd "$build" && pwd)
+data=$(cgal_data "$build/cgal_data")
+
+# optimized, but with all assertions
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 \
+      -DCGAL_DATA_DIR="$data" -DQUAD_LAYOUTS_BUILD_BENCHMARKS=ON
+# a program that does not compile is a test that fails
+cmake --build "$build" --parallel 2 -- --keep-going || true
+
+log=$build/ctest.log
+(cd "$build" && ctest --output-on-failure --parallel 2) 2>&1 | tee "$log" || true
+summary='s/.*tests passed, \([0-9]*\) tests\{0,1\} failed out of \([0-9]*\).*/\1 \2/p'
+read -r failed all <<<"$(sed -n "$summary" "$log")"
+echo "$((all - failed)) passed, $failed failed"
+[ "$failed" -eq 0 ]
