@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_LINE_TRACER_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_LINE_TRACER_H
+
+#include <CGAL/Quad_layouts/Integer_grid_map.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// A place in an integer-grid map and a direction there: 0 is +x, 1 is +y, 2 is -x, 3 is -y.
+struct Map_heading
+{
+  int face = -1;                      // of the surface; -1 if there is no such place
+  Integer_grid_map::Point_2 position; // in the chart of the face
+  int direction = 0;
+
+  bool is_valid() const { return face >= 0; }
+  Map_heading turned(int quarter_turns) const
+  {
+    return {face, position, (direction + quarter_turns) & 3};
+  }
+  bool operator==(const Map_heading& other) const
+  {
+    return face == other.face && position == other.position && direction == other.direction;
+  }
+  bool operator!=(const Map_heading& other) const { return !(*this == other); }
+};
+
+// Follows axis-parallel lines through an integer-grid map.
+//
+// All decisions are exact: lines are compared with vertices by a coordinate, points with edges by an exact
+// predicate. A vertex exactly on a line counts as lying to the right of it, as if the line were moved to the left by an infinitesimal.
+class Line_tracer
+{
+public:
+  using Surface = Integer_grid_map::Surface;
+  using Point_2 = Integer_grid_map::Point_2;
+
+  explicit Line_tracer(const Integer_grid_map& map)
+    : m_map(map)
+  {
+  }
+
+  // the same heading seen from the face that the line runs into; unique, so that headings from different
+  // faces can be compared. At a vertex it is the first one counter-clockwise from the given face.
+  Map_heading entered(const Map_heading& heading) const
+  {
+    for (int h = 3 * heading.face; h < 3 * heading.face + 3; ++h)
+      if (m_map.coordinates(h) == heading.position)
+        return entered_at_vertex(heading, h);
+    Map_heading result = heading;
+    for (int crossings = 0; crossings < 3; ++crossings) {
+      int h = exit(result);
+      if (h >= 0 && side(h, result.position) != ON_ORIENTED_BOUNDARY)
+        return result;
+      if (h < 0)
+        h = edge_through(result);
+      if (h < 0)
+        break;
+      result = crossed(h, result);
+    }
+    return {};
+  }
+
+  // the headings at ascending positive distances from a start returned by `entered`; fewer if the line gets lost, which it
+  // does not in a valid map. Appends to `curve` where the line crosses edges.
+  std::vector<Map_heading> follow(Map_heading line, const std::vector<double>& distances,
+                                  std::vector<Eigen::Vector3d>* curve = nullptr) const
+  {
+    std::vector<Map_heading> result;
+    const double most = (1 + distances.back()) * m_map.surface().number_of_faces();
+    for (double steps = 0; steps < most; ++steps) {
+      const int h = exit(line);
+      if (h < 0)
+        break;
+      append_points_before(h, line, distances, result);
+      if (result.size() == distances.size())
+        break;
+      if (curve)
+        curve->push_back(crossing_point(h, line));
+      line = crossed(h, line);
+    }
+    return result;
+  }
+
+  // the point of the surface
+  Eigen::Vector3d point(const Map_heading& at) const
+  {
+    const Surface& s = m_map.surface();
+    double sum = 0;
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for (int h = 3 * at.face; h < 3 * at.face + 3; ++h) {
+      const Point_2 a = m_map.coordinates(Surface::next(h)) - at.position;
+      const Point_2 b = m_map.coordinates(Surface::prev(h)) - at.position;
+      const double weight = a.x() * b.y() - a.y() * b.x();
+      result += weight * s.point(s.source(h));
+      sum += weight;
+    }
+    return result / sum;
+  }
+
+private:
+  static Point_2 ahead(const Map_heading& line, double distance)
+  {
+    return line.position + Integer_grid_map::Transition::turned(Point_2(distance, 0), line.direction);
+  }
+
+  // appends what of the line lies in its present face, which it leaves through h
+  void append_points_before(int h, const Map_heading& line, const std::vector<double>& distances,
+                            std::vector<Map_heading>& result) const
+  {
+    while (result.size() < distances.size()) {
+      const Point_2 p = ahead(line, distances[result.size()]);
+      if (side(h, p) == ON_NEGATIVE_SIDE)
+        return;
+      result.push_back({line.face, p, line.direction});
+    }
+  }
+
+  static bool is_left(const Point_2& p, const Map_heading& line)
+  {
+    switch (line.direction) {
+      case 0: return p.y() > line.position.y();
+      case 1: return p.x() < line.position.x();
+      case 2: return p.y() < line.position.y();
+      default: return p.x() > line.position.x();
+    }
+  }
+
+  // the halfedge through which a line leaves a face, -1 if it misses the face
+  int exit(const Map_heading& line) const
+  {
+    for (int h = 3 * line.face; h < 3 * line.face + 3; ++h)
+      if (!is_left(m_map.coordinates(h), line)
+          && is_left(m_map.coordinates(Surface::next(h)), line))
+        return h;
+    return -1;
+  }
+
+  // the side of a halfedge on which a point lies: positive is to the left, inside the face
+  Oriented_side side(int h, const Point_2& p) const
+  {
+    using Kernel = Exact_predicates_inexact_constructions_kernel;
+    const Point_2& a = m_map.coordinates(h);
+    const Point_2& b = m_map.coordinates(Surface::next(h));
+    return orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()),
+                       Kernel::Point_2(p.x(), p.y()));
+  }
+
+  int edge_through(const Map_heading& at) const
+  {
+    for (int h = 3 * at.face; h < 3 * at.face + 3; ++h)
+      if (side(h, at.position) == ON_ORIENTED_BOUNDARY)
+        return h;
+    return -1;
+  }
+
+  // the same line in the chart of the face across h
+  Map_heading crossed(int h, const Map_heading& line) const
+  {
+    const Integer_grid_map::Transition& t = m_map.transition(h);
+    return {Surface::face(m_map.surface().opposite(h)), t(line.position),
+            (line.direction + t.quarter_turns) & 3};
+  }
+
+  // turns counter-clockwise from the corner h until the line leaves through the edge opposite the vertex. The
+  // first corner is tried again in the end: at a vertex of valence 2 the line may have turned into it.
+  Map_heading entered_at_vertex(Map_heading heading, int h) const
+  {
+    const int first = h;
+    bool around = false;
+    while (exit(heading) != Surface::next(h)) {
+      if (around)
+        return {};
+      heading = crossed(Surface::prev(h), heading);
+      h = m_map.surface().turn_left(h);
+      around = h == first;
+    }
+    return heading;
+  }
+
+  Eigen::Vector3d crossing_point(int h, const Map_heading& line) const
+  {
+    const Surface& s = m_map.surface();
+    const int across = line.direction % 2 == 0 ? 1 : 0;       // the coordinate that is constant on the line
+    const double a = m_map.coordinates(h)[across], b = m_map.coordinates(Surface::next(h))[across];
+    const double t = (line.position[across] - a) / (b - a);
+    return (1 - t) * s.point(s.source(h)) + t * s.point(s.target(h));
+  }
+
+  const Integer_grid_map& m_map;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_LINE_TRACER_H

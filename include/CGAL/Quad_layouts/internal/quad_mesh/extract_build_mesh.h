@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_BUILD_MESH_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_BUILD_MESH_H
+
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/layout/divided_layout.h>
+#include <CGAL/Quad_layouts/parameters.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Stands for an output map that the user did not ask for.
+struct No_map
+{
+  template <class Key, class Value>
+  friend void put(const No_map&, const Key&, const Value&)
+  {
+  }
+};
+
+// Says which vertices of the layout are corners of patches: those where not just one separatrix passes.
+inline std::vector<char> layout_nodes(const Quad_layout& layout)
+{
+  std::vector<int> separatrices(layout.number_of_vertices(), 0);
+  for (int h = 0; h < layout.number_of_halfedges(); ++h)
+    separatrices[layout.source(h)] += layout.is_on_separatrix(Quad_layout::edge(h));
+  std::vector<char> result;
+  for (int n : separatrices)
+    result.push_back(n != 0 && n != 2);
+  for (int v = 0; v < layout.number_of_vertices(); ++v)
+    if (layout.valence(v) != 4)
+      result[v] = 1;
+  return result;
+}
+
+// Marks the edges of the mesh that lie on separatrices.
+template <class QuadMesh, class VertexDescriptor, class EdgeMap>
+void mark_layout_edges(const Divided_layout& divided, const std::vector<VertexDescriptor>& vertices,
+                       const QuadMesh& mesh, EdgeMap is_layout_edge)
+{
+  for (const auto e : edges(mesh))
+    put(is_layout_edge, e, false);
+  const Quad_layout& layout = divided.layout();
+  for (int e = 0; e < layout.number_of_edges(); ++e)
+    for (int k = 0; layout.is_on_separatrix(e) && k < divided.parts(2 * e); ++k)
+      put(is_layout_edge,
+          edge(vertices[divided.vertex_on(2 * e, k)], vertices[divided.vertex_on(2 * e, k + 1)], mesh).first,
+          true);
+}
+
+// Adds the quads of a divided layout to a mesh, and fills the user's property maps.
+template <class QuadMesh, class NamedParameters>
+void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d>& points, QuadMesh& mesh,
+                const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Vertex = typename boost::graph_traits<QuadMesh>::vertex_descriptor;
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_property_map(CGAL::vertex_point, mesh));
+  using Point_3 = typename boost::property_traits<decltype(point_map)>::value_type;
+  const auto patch_map = choose_parameter(get_parameter(np, internal_np::face_patch), No_map());
+  const auto node_map = choose_parameter(get_parameter(np, internal_np::vertex_is_layout_node_map), No_map());
+
+  const Quad_layout& layout = divided.layout();
+  const std::vector<char> is_node = layout_nodes(layout);
+  std::vector<Vertex> vertices;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    vertices.push_back(add_vertex(mesh));
+    put(point_map, vertices.back(), Point_3(points[i].x(), points[i].y(), points[i].z()));
+    put(node_map, vertices.back(), i < is_node.size() && is_node[i]);
+  }
+  divided.for_each_quad([&](int f, const std::array<int, 4>& quad) {
+    const std::array<Vertex, 4> corners = {vertices[quad[0]], vertices[quad[1]], vertices[quad[2]],
+                                           vertices[quad[3]]};
+    const auto face = Euler::add_face(corners, mesh);
+    CGAL_assertion(face != boost::graph_traits<QuadMesh>::null_face());
+    put(patch_map, face, layout.patch(f));
+  });
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::edge_is_layout_edge_map_t>::value)
+    mark_layout_edges(divided, vertices, mesh, get_parameter(np, internal_np::edge_is_layout_edge_map));
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_BUILD_MESH_H
