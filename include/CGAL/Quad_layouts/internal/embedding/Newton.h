@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_NEWTON_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_NEWTON_H
+
+#include <CGAL/Quad_layouts/internal/embedding/Distortion.h>
+#include <CGAL/Quad_layouts/internal/embedding/Map.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Minimizes sums of energies of triangles over the coordinates of the vertices that are free.
+//
+// An energy offers value(face, J) and derivatives(face, J, gradient, hessian) by the entries of
+// the Jacobian J of the map in the face; the Hessian must be positive semi-definite.
+class Newton
+{
+public:
+  Newton(Map& map, const std::vector<char>& is_fixed) : m_map(map), m_unknown(map.points.size(), -1)
+  {
+    for (std::size_t v = 0; v < map.points.size(); ++v)
+      if (!is_fixed[v])
+        m_unknown[v] = m_number_of_unknowns++;
+    for (const Map::Face& f : map.faces)
+      m_rest.push_back(rest_shape(map, f));
+  }
+
+  const Rest_shape& rest(std::size_t f) const { return m_rest[f]; }
+
+  Eigen::Matrix2d jacobian(std::size_t f) const
+  {
+    return m_rest[f].jacobian(m_map.corners(m_map.faces[f]));
+  }
+
+  double least_determinant() const
+  {
+    double least = (std::numeric_limits<double>::infinity)();
+    for (std::size_t f = 0; f < m_map.faces.size(); ++f)
+      least = (std::min)(least, jacobian(f).determinant());
+    return least;
+  }
+
+  template <class Energy>
+  double value(const Energy& energy) const
+  {
+    double sum = 0;
+    for (std::size_t f = 0; f < m_map.faces.size(); ++f)
+      sum += m_rest[f].area * energy.value(f, jacobian(f));
+    return sum;
+  }
+
+  // solves for the minimum of the energy's quadratic model and goes there, or less far if the energy would not fall;
+  // returns the energy that is reached, `before` (the present one) if no step helps
+  template <class Energy>
+  double step(const Energy& energy, double before)
+  {
+    assemble(energy);
+    if (!m_is_analyzed)
+      m_solver.analyzePattern(m_hessian);
+    m_is_analyzed = true;
+    m_solver.factorize(m_hessian);
+    if (m_solver.info() != Eigen::Success)
+      return before;
+    const Eigen::VectorXd move = m_solver.solve(-m_gradient);
+    const std::vector<Point2> start = m_map.coordinates;
+    for (double length = 1; length > 1e-6; length /= 2) {
+      go(start, move, length);
+      const double after = value(energy);
+      if (after < before)
+        return after;
+    }
+    m_map.coordinates = start;
+    return before;
+  }
+
+private:
+  template <class Energy>
+  void assemble(const Energy& energy)
+  {
+    const int n = 2 * m_number_of_unknowns;
+    m_gradient = Eigen::VectorXd::Zero(n);
+    m_entries.clear();
+    for (int i = 0; i < n; ++i)
+      m_entries.emplace_back(i, i, 1e-10);
+    for (std::size_t f = 0; f < m_map.faces.size(); ++f)
+      add_face(f, energy);
+    m_hessian.resize(n, n);
+    m_hessian.setFromTriplets(m_entries.begin(), m_entries.end());
+  }
+
+  // The derivatives by the Jacobian turn into derivatives by the three corners, each turned into the chart of its
+  // vertex: a corner contributes to J its coordinates times a row vector, its weight.
+  template <class Energy>
+  void add_face(std::size_t f, const Energy& energy)
+  {
+    const Map::Face& face = m_map.faces[f];
+    Eigen::Vector4d gradient;
+    Eigen::Matrix4d hessian;
+    energy.derivatives(f, jacobian(f), gradient, hessian);
+    const Eigen::Matrix2d& b = m_rest[f].inverse;
+    const std::array<Point2, 3> weight{Point2(-b.colwise().sum().transpose()), Point2(b.row(0).transpose()),
+                                       Point2(b.row(1).transpose())};
+    for (int k = 0; k < 3; ++k) {
+      const int row = m_unknown[face.vertex[k]];
+      if (row < 0)
+        continue;
+      const Point2 g = weight[k].x() * gradient.head<2>() + weight[k].y() * gradient.tail<2>();
+      m_gradient.segment<2>(2 * row) +=
+        m_rest[f].area * Chart_change::turned(g, 4 - face.chart[k].quarter_turns);
+      for (int l = 0; l < 3; ++l)
+        if (const int column = m_unknown[face.vertex[l]]; column >= 0 && column <= row)
+          add_block(2 * row, 2 * column,
+                    m_rest[f].area * block(hessian, weight[k], weight[l]),
+                    face.chart[k].quarter_turns, face.chart[l].quarter_turns);
+    }
+  }
+
+  static Eigen::Matrix2d block(const Eigen::Matrix4d& h, const Point2& v, const Point2& w)
+  {
+    return v.x() * w.x() * h.topLeftCorner<2, 2>() + v.x() * w.y() * h.topRightCorner<2, 2>() +
+           v.y() * w.x() * h.bottomLeftCorner<2, 2>() + v.y() * w.y() * h.bottomRightCorner<2, 2>();
+  }
+
+  static Eigen::Matrix2d rotation(int quarter_turns)
+  {
+    Eigen::Matrix2d r;
+    r << Chart_change::turned(Point2(1, 0), quarter_turns), Chart_change::turned(Point2(0, 1), quarter_turns);
+    return r;
+  }
+
+  void add_block(int row, int column, const Eigen::Matrix2d& b, int row_turns, int column_turns)
+  {
+    const Eigen::Matrix2d turned = rotation(row_turns).transpose() * b * rotation(column_turns);
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        m_entries.emplace_back(row + i, column + j, turned(i, j));
+  }
+
+  void go(const std::vector<Point2>& start, const Eigen::VectorXd& move, double length)
+  {
+    for (std::size_t v = 0; v < m_unknown.size(); ++v)
+      if (m_unknown[v] >= 0)
+        m_map.coordinates[v] = start[v] + length * move.segment<2>(2 * m_unknown[v]);
+  }
+
+  Map& m_map;
+  std::vector<int> m_unknown;           // per vertex, -1 if fixed
+  int m_number_of_unknowns = 0;
+  std::vector<Rest_shape> m_rest;
+  Eigen::VectorXd m_gradient;
+  Eigen::SparseMatrix<double> m_hessian;   // its lower half
+  std::vector<Eigen::Triplet<double>> m_entries;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
+  bool m_is_analyzed = false;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_NEWTON_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_VERTEX_NEIGHBOURHOOD_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_VERTEX_NEIGHBOURHOOD_H
+
+#include <CGAL/Quad_layouts/internal/embedding/Distortion.h>
+#include <CGAL/Quad_layouts/internal/embedding/Map.h>
+#include <CGAL/Quad_layouts/internal/embedding/solve_map.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// One vertex of a map and the triangles around it, all in the chart of the vertex.
+class Vertex_neighbourhood
+{
+public:
+  Vertex_neighbourhood(const Map& map, int v, const std::vector<int>& star)
+  {
+    for (const int f : star) {
+      const Map::Face& face = map.faces[f];
+      const int k = face.corner_of(v), a = (k + 1) % 3, b = (k + 2) % 3;
+      const Chart_change to_vertex = face.chart[k].inverse();
+      m_triangles.push_back({to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
+                             Rest_shape(map.points[v], map.points[face.vertex[a]],
+                                        map.points[face.vertex[b]])});
+    }
+  }
+
+  // Finds a point from which all opposite edges are seen from their left: the centroid of the kernel of the
+  // polygon that they form. Returns false if the kernel is empty.
+  bool find_center(Point2& center) const
+  {
+    std::vector<Point2> kernel = bounding_box();
+    for (const Triangle& t : m_triangles)
+      kernel = left_part(kernel, t.a, t.b);
+    if (kernel.size() < 3)
+      return false;
+    center = centroid(kernel);
+    return value(center) < (std::numeric_limits<double>::infinity)();
+  }
+
+  // moves `x` downhill by one Newton step of the distortion, which is convex in a single vertex
+  void improve(Point2& x) const
+  {
+    Point2 gradient(0, 0);
+    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+    for (const Triangle& t : m_triangles)
+      add_derivatives(t, x, gradient, hessian);
+    const Point2 move = -hessian.inverse() * gradient;
+    const double before = value(x);
+    for (double length = 1; length > 1e-3; length /= 2)
+      if (const Point2 y = x + length * move; value(y) < before) {
+        x = y;
+        return;
+      }
+  }
+
+private:
+  struct Triangle
+  {
+    Point2 a, b;        // the corners opposite the vertex
+    Rest_shape rest;
+    Eigen::Matrix2d jacobian(const Point2& x) const { return rest.jacobian({x, a, b}); }
+  };
+
+  static Distortion distortion() { return Distortion(Distortion_energy::area_weight); }
+
+  // the distortion if the vertex is at x, infinite if a triangle is inverted
+  double value(const Point2& x) const
+  {
+    double sum = 0;
+    for (const Triangle& t : m_triangles) {
+      const Eigen::Matrix2d j = t.jacobian(x);
+      if (!(j.determinant() > 0))
+        return (std::numeric_limits<double>::infinity)();
+      sum += t.rest.area * distortion().value(j);
+    }
+    return sum;
+  }
+
+  static void add_derivatives(const Triangle& t, const Point2& x, Point2& gradient, Eigen::Matrix2d& hessian)
+  {
+    Eigen::Vector4d g;
+    Eigen::Matrix4d h;
+    distortion().derivatives(t.jacobian(x), g, h);
+    Eigen::Matrix<double, 4, 2> by_vertex;
+    const Eigen::RowVector2d weight = -t.rest.inverse.colwise().sum();
+    by_vertex << weight.x() * Eigen::Matrix2d::Identity(), weight.y() * Eigen::Matrix2d::Identity();
+    gradient += t.rest.area * by_vertex.transpose() * g;
+    hessian += t.rest.area * by_vertex.transpose() * h * by_vertex;
+  }
+
+  std::vector<Point2> bounding_box() const
+  {
+    Point2 low = m_triangles.front().a, high = low;
+    for (const Triangle& t : m_triangles) {
+      low = low.cwiseMin(t.a);
+      high = high.cwiseMax(t.a);
+    }
+    return {low, Point2(high.x(), low.y()), high, Point2(low.x(), high.y())};
+  }
+
+  static double side(const Point2& a, const Point2& b, const Point2& p)
+  {
+    return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+  }
+
+  // clips a convex polygon to the left of the line from a to b
+  static std::vector<Point2> left_part(const std::vector<Point2>& polygon, const Point2& a, const Point2& b)
+  {
+    std::vector<Point2> result;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      const double sp = side(a, b, p), sq = side(a, b, q);
+      if (sp >= 0)
+        result.push_back(p);
+      if ((sp > 0 && sq < 0) || (sp < 0 && sq > 0))
+        result.push_back(p + sp / (sp - sq) * (q - p));
+    }
+    return result;
+  }
+
+  static Point2 centroid(const std::vector<Point2>& polygon)
+  {
+    Point2 sum(0, 0), mean(0, 0);
+    double area = 0;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+      const double a = side(polygon[0], polygon[i], polygon[i + 1]);
+      area += a;
+      sum += a / 3 * (polygon[0] + polygon[i] + polygon[i + 1]);
+    }
+    for (const Point2& p : polygon)
+      mean += p / double(polygon.size());
+    return area > 0 ? Point2(sum / area) : mean;
+  }
+
+  std::vector<Triangle> m_triangles;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_VERTEX_NEIGHBOURHOOD_H

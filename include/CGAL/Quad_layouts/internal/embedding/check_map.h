@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHECK_MAP_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHECK_MAP_H
+
+#include <CGAL/Quad_layouts/Integer_grid_map.h>
+#include <CGAL/Quad_layouts/internal/embedding/refine_around_cones.h>
+#include <CGAL/Quad_layouts/internal/field/matching.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// the number of quarter-turns that the triangles around v span in the map; the sum of their angles is a multiple of
+// one, so rounding it loses nothing
+inline int quarter_turns_around(const Integer_grid_map& map, int v)
+{
+  double angle = 0;
+  map.surface().for_each_outgoing(v, [&](int h) {
+    const Point2 a = map.coordinates(Triangle_surface::next(h)) - map.coordinates(h);
+    const Point2 b = map.coordinates(Triangle_surface::prev(h)) - map.coordinates(h);
+    angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  });
+  return int(std::lround(angle / right_angle));
+}
+
+inline bool is_positive(const Integer_grid_map& map, int f)
+{
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  const auto corner = [&](int k) {
+    return Kernel::Point_2(map.coordinates(3 * f + k).x(), map.coordinates(3 * f + k).y());
+  };
+  return orientation(corner(0), corner(1), corner(2)) == LEFT_TURN;
+}
+
+// Counts what keeps a map from being locally injective, and stores the counts in it.
+inline void check(Integer_grid_map& map, const std::vector<Cone>& cones)
+{
+  const Triangle_surface& surface = map.surface();
+  map.inverted = map.wrong_winding = 0;
+  for (int f = 0; f < surface.number_of_faces(); ++f)
+    map.inverted += !is_positive(map, f);
+  std::vector<int> expected(surface.number_of_vertices(), 4);
+  for (const Cone& c : cones)
+    expected[c.vertex] -= c.index;
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    map.wrong_winding += surface.halfedge(v) >= 0 && quarter_turns_around(map, v) != expected[v];
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHECK_MAP_H
