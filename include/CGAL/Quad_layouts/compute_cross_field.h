@@ -65,7 +65,7 @@ another, and neither do scale and position; the same input has the same output o
     \cgalParamDescription{how strongly the field follows the directions of principal curvature, and so sharp edges: 0 for
                           not at all; large values keep more of the noise of a scanned surface in the field}
     \cgalParamType{double}
-    \cgalParamDefault{`0.1`}
+    \cgalParamDefault{`0.03`}
   \cgalParamNEnd
   \cgalParamNBegin{face_constraint_map}
     \cgalParamDescription{a direction for some of the faces, which one direction of the cross there shall have; the null

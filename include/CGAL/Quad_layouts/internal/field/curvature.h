@@ -9,9 +9,9 @@
 
 #include <CGAL/Quad_layouts/internal/field/Face_connection.h>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -28,41 +28,57 @@ inline double dihedral_angle(const Triangle_surface& surface, int h)
   return std::atan2(n.cross(m).dot(surface.vector(h).normalized()), n.dot(m));
 }
 
-// the trace-free part of the shape operator of each face, integrated over the face, as a complex number D: |D| is the
-// area times the difference of the principal curvatures, and half its argument a principal direction.
+// The directions of principal curvature, as *pulls* on the crosses of the faces: complex numbers whose argument is four
+// times the angle of the direction, and whose absolute value says how strongly the face has it.
 //
-// The curvature of a mesh sits on its edges (Cohen-Steiner and Morvan 2003): an edge of length l with
-// direction phi and dihedral angle beta carries beta l e^(2 i phi), half of it in each of its faces.
-// This is exact on prisms and cylinders however thin their triangles are, and sees a crease as what it is.
-inline std::vector<Complex> curvature_deviators(const Face_connection& connection)
+// The curvature of a mesh sits on its edges (Cohen-Steiner and Morvan 2003). An edge of length l, direction phi and
+// dihedral angle beta gives each of its faces half of beta l e^(2 i phi); the sum D of a face is the trace-free part of
+// its shape operator, |D| being the area times the difference of the principal curvatures. This is exact on prisms and
+// cylinders however thin their triangles are. The pull is D^2 / area: it has no unit, and does not fade in finer meshes.
+//
+// A crease is a direction by itself, not a sample of a smooth curvature: in the corner of a cube two creases
+// support the same cross, but would cancel in D. So creases are squared one by one.
+class Curvature_pulls
 {
-  const Triangle_surface& surface = connection.surface();
-  std::vector<Complex> result(surface.number_of_faces());
-  for (int e = 0; e < surface.number_of_edges(); ++e) {
-    const int h = surface.halfedge_of_edge(e), g = surface.opposite(h);
-    const double bend = dihedral_angle(surface, h) * surface.length(h) / 2;
-    for (int side : {h, g})
-      result[surface.face(side)] += std::polar(bend, 2 * connection.halfedge_angle(side));
-  }
-  return result;
-}
-
-// what pulls the crosses of the faces to the principal directions: the integral of the squared difference of the
-// curvatures, times `alignment`. That has no unit, and a crease pulls as strongly in a finer mesh. The pull on one
-// face is bounded, lest single edges of a noisy surface hold the field against all their surroundings.
-inline std::vector<Complex> curvature_pulls(const Face_connection& connection, double alignment)
-{
-  constexpr double bound = 0.015;
-  std::vector<Complex> result = curvature_deviators(connection);
-  for (int f = 0; f < int(result.size()); ++f) {
-    const double size = std::abs(result[f]);
-    if (size > 0) {
-      const Complex direction = result[f] / size;
-      result[f] = direction * direction * (std::min)(alignment * size * size / connection.area(f), bound);
+public:
+  explicit Curvature_pulls(const Face_connection& connection)
+    : m_pull(connection.surface().number_of_faces())
+  {
+    const Triangle_surface& surface = connection.surface();
+    std::vector<Complex> smooth(m_pull.size());
+    for (int h = 0; h < surface.number_of_halfedges(); ++h) {
+      const double angle = dihedral_angle(surface, h);
+      const Complex d = std::polar(angle * surface.length(h) / 2, 2 * connection.halfedge_angle(h));
+      if (std::abs(angle) > smallest_crease)
+        m_pull[h / 3] += d * d;
+      else
+        smooth[h / 3] += d;
     }
+    for (std::size_t f = 0; f < m_pull.size(); ++f)
+      m_pull[f] = (m_pull[f] + smooth[f] * smooth[f]) / connection.area(int(f));
   }
-  return result;
-}
+
+  // the pulls times `weight`. That on one face is bounded, lest single edges of a noisy surface hold the
+  // field against all their surroundings.
+  std::vector<Complex> weighted(double weight) const
+  {
+    std::vector<Complex> result = m_pull;
+    for (Complex& pull : result) {
+      const double strength = std::abs(pull);
+      if (strength * weight > bound)
+        pull *= bound / strength;
+      else
+        pull *= weight;
+    }
+    return result;
+  }
+
+private:
+  static constexpr double smallest_crease = 0.7;       // radians, about 40 degrees
+  static constexpr double bound = 0.05;
+
+  std::vector<Complex> m_pull;
+};
 
 } // namespace internal
 } // namespace Quad_layouts

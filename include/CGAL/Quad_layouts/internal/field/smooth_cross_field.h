@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/field/Field_diffusion.h>
+#include <CGAL/Quad_layouts/internal/field/Singularity_splitter.h>
 #include <CGAL/Quad_layouts/internal/field/curvature.h>
 #include <CGAL/Quad_layouts/internal/field/face_vectors.h>
 #include <CGAL/Quad_layouts/internal/field/matching.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +29,7 @@ namespace internal {
 
 struct Cross_field_options
 {
-  double curvature_alignment = 0.1;
+  double curvature_alignment = 0.03;
   double diffusion_time = 32;
   int number_of_iterations = 40;
 };
@@ -35,11 +37,11 @@ struct Cross_field_options
 // a cross with direction `angle` as a number that the four directions share
 inline Complex representation(double angle) { return std::polar(1., 4 * angle); }
 
-// the cross field whose direction in face f has the angle angles[f], each period jump the principal one
+// the cross field with the given angles and period jumps
 inline Cross_field make_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
-                                    const Face_connection& connection, std::vector<double> angles)
+                                    const Face_connection& connection, std::vector<double> angles,
+                                    const std::vector<int>& jumps)
 {
-  const std::vector<int> jumps = principal_period_jumps(connection, angles);
   std::vector<int> vertex_indices = indices(connection, angles, jumps);
   Cross_field result(surface, std::move(angles), matchings(jumps), std::move(vertex_indices));
   CGAL_assertion(result.index_sum() == 4 * euler_characteristic(*surface));
@@ -48,13 +50,15 @@ inline Cross_field make_cross_field(const std::shared_ptr<const Triangle_surface
 
 // the field whose direction in each face is the projection of the vector there
 inline Cross_field given_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
-                                      const std::vector<Eigen::Vector3d>& directions)
+                                     const std::vector<Eigen::Vector3d>& directions)
 {
+  const Face_connection connection(*surface);
   std::vector<double> angles;
   angles.reserve(directions.size());
   for (int f = 0; f < int(directions.size()); ++f)
     angles.push_back(projected_angle(*surface, f, directions[f], "face_direction_map"));
-  return make_cross_field(surface, Face_connection(*surface), std::move(angles));
+  const std::vector<int> jumps = principal_period_jumps(connection, angles);
+  return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 
 // the representations of the directions of the faces with a vector, and 0 for those with a null vector
@@ -68,26 +72,43 @@ inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
   return result;
 }
 
+// the angles, one of four each, of the crosses that diffusion makes of those of principal curvature; faces with
+// a fixed cross keep it
+inline std::vector<double> diffused_angles(const Face_connection& connection,
+                                           const std::vector<Complex>& fixed,
+                                           const Cross_field_options& options, const Monitor& monitor)
+{
+  constexpr double converged = 1e-3;
+  const Curvature_pulls pulls(connection);
+  Field_diffusion diffusion(connection, pulls.weighted(options.curvature_alignment), fixed,
+                            options.diffusion_time);
+  diffusion.start(pulls.weighted(1));
+  for (int i = 0; i < options.number_of_iterations; ++i) {
+    monitor.report("compute_cross_field", double(i) / options.number_of_iterations);
+    if (diffusion.step() < converged)
+      break;
+  }
+  std::vector<double> angles(fixed.size());
+  std::transform(diffusion.values().begin(), diffusion.values().end(), angles.begin(),
+                 [](const Complex& u) { return std::arg(u) / 4; });
+  return angles;
+}
+
 // a smooth cross field with the directions that `constraints` has; it is empty or has a vector per face
 inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
                                       const std::vector<Eigen::Vector3d>& constraints,
                                       const Cross_field_options& options, const Monitor& monitor)
 {
   const Face_connection connection(*surface);
-  Field_diffusion diffusion(connection, curvature_pulls(connection, options.curvature_alignment),
-                            fixed_crosses(*surface, constraints), options.diffusion_time);
-  diffusion.start(curvature_pulls(connection, 1));
-  constexpr double converged = 1e-3;
-  for (int i = 0; i < options.number_of_iterations; ++i) {
-    monitor.report("compute_cross_field", double(i) / options.number_of_iterations);
-    if (diffusion.step() < converged)
-      break;
-  }
+  const std::vector<Complex> fixed = fixed_crosses(*surface, constraints);
+  std::vector<char> is_fixed(fixed.size());
+  std::transform(fixed.begin(), fixed.end(), is_fixed.begin(),
+                 [](const Complex& u) { return u != Complex(0); });
 
-  std::vector<double> angles(surface->number_of_faces());
-  std::transform(diffusion.values().begin(), diffusion.values().end(), angles.begin(),
-                 [](const Complex& u) { return std::arg(u) / 4; });
-  return make_cross_field(surface, connection, std::move(angles));
+  std::vector<double> angles = diffused_angles(connection, fixed, options, monitor);
+  std::vector<int> jumps = principal_period_jumps(connection, angles);
+  Singularity_splitter(connection, angles, jumps, is_fixed).split();
+  return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 
 } // namespace internal
