@@ -2,7 +2,7 @@
 # Checks all sources against the headers of CGAL 6, out of the package of a newer Debian.
 
 set -uo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit
 
 folder=$PWD/build/cgal_6
 if [ ! -d "$folder/usr/include/CGAL" ]; then

@@ -2,7 +2,7 @@
 # Checks all sources with the given compiler and flags, without making code of them.
 
 set -uo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit
 
 if ! command -v "$1" >/dev/null; then
   echo "skipped: there is no $1"
@@ -16,6 +16,7 @@ failures=$(mktemp)
 trap 'rm -f "$failures"' EXIT
 sources=(test/test_*.cpp examples/*.cpp benchmark/*.cpp)
 export failures
+# shellcheck disable=SC2016 # expanded by the inner bash
 printf '%s\n' "${sources[@]}" | grep -v '\*' |
   xargs -P 2 -I SOURCE bash -c '"$@" SOURCE || echo SOURCE >>"$failures"' _ "${compile[@]}"
 

@@ -1,4 +1,5 @@
 # What test/run_tests.sh, examples/run_demo.sh and .ci/run share. To be sourced by bash.
+# shellcheck shell=bash
 
 # Prints those of the given Debian packages that are not installed.
 missing_packages()
@@ -43,4 +44,5 @@ cgal_data()
   fi
 }
 
+# shellcheck disable=SC2034 # used where this file is sourced
 build_packages="cmake make g++ libcgal-dev libcgal-demo libeigen3-dev libglpk-dev"

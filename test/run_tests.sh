@@ -3,6 +3,7 @@
 # The folder of the build is the first argument, or build/.
 
 set -euo pipefail
+trap 'echo "0 passed, 1 failed"' ERR
 cd "$(dirname "$0")/.."
 source scripts/debian_setup.sh
 
@@ -25,4 +26,4 @@ log=$build/ctest.log
 summary='s/.*tests passed, \([0-9]*\) tests\{0,1\} failed out of \([0-9]*\).*/\1 \2/p'
 read -r failed all <<<"$(sed -n "$summary" "$log")"
 echo "$((all - failed)) passed, $failed failed"
-[ "$failed" -eq 0 ]
+exit $((failed > 0))
