@@ -1,0 +1,32 @@
+/*!
+\ingroup PkgQuadLayoutsConcepts
+\cgalConcept
+
+describes what the functions of this package tell while they work, and how they can be stopped. A
+visitor is passed by the named parameter `visitor`: by value, or as `std::ref(visitor)`.
+
+Stages are named `field`, `trace`, `quantize`, `extract`, `embed`, `quad_mesh` and `smooth`.
+
+\cgalHasModel `CGAL::Quad_layouts::Default_visitor`
+*/
+class QuadLayoutsVisitor
+{
+public:
+  /// is called before the stage called `name`.
+  void before_stage(const char* name);
+
+  /// is called after the stage called `name`, which took `seconds`. It is not called when the stage
+  /// ends with an exception.
+  void after_stage(const char* name, double seconds);
+
+  /// is called now and then, when `fraction` (0 to 1) of the stage called `name` is done.
+  void progress(const char* name, double fraction);
+
+  /// is called when the integer program has a better solution or a better bound, `seconds` after
+  /// its start.
+  void improved(double objective, double bound, double seconds);
+
+  /// is called often, and says whether the work shall go on. If it does not, the function that
+  /// works ends with the exception `CGAL::Quad_layouts::Cancelled`, and has no effect.
+  bool go_on();
+};
