@@ -172,4 +172,9 @@ BOOST_AUTO_TEST_CASE(loops_are_allowed)
   BOOST_TEST(degree(*faces(torus).begin(), torus) == 4);
   BOOST_TEST(halfedge(v, v, torus).second);
   BOOST_TEST(CGAL::is_closed(torus));
+  Mesh mesh;
+  CGAL::copy_face_graph(torus, mesh);
+  BOOST_TEST(num_vertices(mesh) == 1u);
+  BOOST_TEST(num_edges(mesh) == 2u);
+  BOOST_TEST(num_faces(mesh) == 1u);
 }
