@@ -86,7 +86,8 @@ public:
   std::vector<int> node_index;
   std::vector<Trace> traces;
   /// per node the passing traces: none at singularities and seeds, else two (the second one ends here at a T-joint
-  /// or both pass). A trace that crosses itself is listed twice.
+  /// or both pass). A trace that crosses itself is listed twice. The second visit is that of the longer trace:
+  /// l_ij > l_ji for i the second and j the first, equal lengths being ordered by the numbers of the traces.
   std::vector<std::vector<Visit>> node_visits;
 
   /// per edge of the surface the halfedges of the arcs that cross it, in order from the source of

@@ -38,15 +38,12 @@ public:
     const auto last = before < 0 ? list.end() : locate(before);
     CGAL_assertion(first <= last);
     const auto place = std::upper_bound(first, last, t, [&](double u, int p) { return u < m_t[p]; });
-    if (place != list.begin())
-      t = (std::max)(t, m_t[*(place - 1)]);
-    if (place != list.end())
-      t = (std::min)(t, m_t[*place]);
-
+    const double low = place == list.begin() ? 0 : m_t[*(place - 1)];
+    const double high = place == list.end() ? 1 : m_t[*place];
     const int point = int(m_t.size());
     const std::ptrdiff_t position = place - list.begin();
     list.insert(place, point);
-    m_t.push_back(t);
+    m_t.push_back(strictly_between(low, t, high));
     m_edge.push_back(edge);
     m_rank.push_back(0);
     rank_between_neighbours(list, position);
@@ -62,6 +59,16 @@ public:
   const std::vector<int>& points(int edge) const { return m_points[edge]; }
 
 private:
+  // moves t into the open interval from low to high, as far as numbers allow; chords that share an end have no clear
+  // crossing
+  static double strictly_between(double low, double t, double high)
+  {
+    constexpr double margin = 1. / 1024;
+    if (t <= low)
+      return low + margin * (high - low);
+    return t < high ? t : high - margin * (high - low);
+  }
+
   std::vector<int>::iterator locate(int point)
   {
     auto& list = m_points[m_edge[point]];

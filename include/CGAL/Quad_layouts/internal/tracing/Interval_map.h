@@ -44,8 +44,8 @@ public:
     if (entry.halfedge == before)
       return {base, s * (1 - t)};
     if (entry.halfedge == after)
-      return {base, s + t * (1 - s)};
-    return t < s ? Position{before, 1 - t / s} : Position{after, (t - s) / (1 - s)};
+      return {base, 1 - t * (1 - s)};
+    return t < s ? Position{before, 1 - t / s} : Position{after, (1 - t) / (1 - s)};
   }
 
   // the point where the line of `direction` that starts at the source of `corner` leaves the face
