@@ -86,7 +86,7 @@ public:
   std::shared_ptr<const Surface> surface_pointer;
   std::vector<Point_2> corner_coordinates;
   std::vector<Transition> halfedge_transition;
-  std::vector<Anchor> anchors;          ///< at least one per component
+  std::vector<Anchor> anchors;          ///< at all irregular layout vertices, one per layout halfedge that begins there
   std::vector<int> chord_length;        ///< per chord of the layout, at least 1: length of its edges in the map
   int inverted = 0;                     ///< number of triangles without positive area in the map
   int wrong_winding = 0;                ///< number of vertices whose angle sum is not what the layout says

@@ -44,10 +44,10 @@ public:
         m_failed.push_back(c.layout_vertex);
     if (m_failed.empty())
       for (const Cone_place& c : cones)
-        m_anchors.push_back(anchor_at(c));
+        add_anchors(c);
   }
 
-  // one per cone; none if there is a component in which no assignment is consistent
+  // one per layout halfedge that begins at a cone; none if there is a component in which no assignment is consistent
   const std::vector<Integer_grid_map::Anchor>& anchors() const { return m_anchors; }
 
 private:
@@ -121,13 +121,17 @@ private:
     return false;
   }
 
-  Integer_grid_map::Anchor anchor_at(const Cone_place& cone) const
+  void add_anchors(const Cone_place& cone)
   {
-    const int g = m_layout.halfedge_from(cone.layout_vertex);
-    int corner = 3 * m_start[g].face;
-    while (m_map.surface().source(corner) != cone.surface_vertex)
-      ++corner;
-    return {corner, m_start[g].direction, g};
+    const int first = m_layout.halfedge_from(cone.layout_vertex);
+    int h = first;
+    do {
+      int corner = 3 * m_start[h].face;
+      while (m_map.surface().source(corner) != cone.surface_vertex)
+        ++corner;
+      m_anchors.push_back({corner, m_start[h].direction, h});
+      h = m_layout.turn_left(h);
+    } while (h != first);
   }
 
   const Integer_grid_map& m_map;

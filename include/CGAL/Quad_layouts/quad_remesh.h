@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_QUAD_REMESH_H
+#define CGAL_QUAD_LAYOUTS_QUAD_REMESH_H
+
+#include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/embed_quad_layout.h>
+#include <CGAL/Quad_layouts/extract_quad_layout.h>
+#include <CGAL/Quad_layouts/extract_quad_mesh.h>
+#include <CGAL/Quad_layouts/graph_traits_Halfedge_complex.h>
+#include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/quantize.h>
+#include <CGAL/Quad_layouts/smooth_quad_mesh.h>
+#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+computes a simple quad layout of a closed triangle mesh: few four-sided patches, without T-joints.
+
+It runs `compute_cross_field()`, `trace_motorcycle_graph()`, `quantize()` and `extract_quad_layout()`, and
+passes `np` to each of them. The layout is appended to `out` as a mesh of quadrilaterals with straight edges. A patch may be
+several faces long. Coarse layouts can have loops and several edges between two vertices, which not
+every function on meshes expects.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam LayoutMesh a model of `MutableFaceGraph`
+\tparam NamedParameters a sequence of named parameters
+\tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the surface
+\param out the mesh that the layout is added to
+\param np an optional sequence of the named parameters of the stages: `maximum_deviation`, `maximum_displacement`,
+          `target_edge_length`, `minimum_valence`, `maximum_valence`, `maximum_running_time`, `vertex_point_map`, `visitor`, ...
+\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`: `vertex_point_map`
+
+\throw Error one of the exceptions of the stages. Nothing has been added to `out` then.
+*/
+template <class TriangleMesh, class LayoutMesh, class NamedParameters = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
+                 const NamedParameters& np = parameters::default_values(),
+                 const NamedParametersOut& np_out = parameters::default_values())
+{
+  const T_mesh t_mesh = trace_motorcycle_graph(compute_cross_field(tm, np), np);
+  const Quad_layout layout = extract_quad_layout(t_mesh, quantize(t_mesh, np));
+  copy_face_graph(layout, out, parameters::default_values(), np_out);
+}
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+remeshes a closed triangle mesh with quadrilaterals, on a simple quad layout.
+
+It runs all stages, from `compute_cross_field()` to `smooth_quad_mesh()`, and passes `np` to each of
+them.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam QuadMesh a model of `MutableFaceGraph`
+\tparam NamedParameters a sequence of named parameters
+\tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the surface
+\param out the mesh that the quadrilaterals are stored in; it must be empty
+\param np an optional sequence of the named parameters of the stages: `maximum_deviation`, `maximum_displacement`,
+          `target_edge_length`, `minimum_valence`, `maximum_valence`, `maximum_running_time`, `vertex_point_map`, `visitor`, ...
+\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`: those of `extract_quad_mesh()`
+              and `smooth_quad_mesh()`
+
+\pre `out` is empty.
+
+\throw Error one of the exceptions of the stages. `out` is empty then.
+*/
+template <class TriangleMesh, class QuadMesh, class NamedParameters = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
+                 const NamedParameters& np = parameters::default_values(),
+                 const NamedParametersOut& np_out = parameters::default_values())
+{
+  CGAL_precondition(is_empty(out));
+  const Cross_field field = compute_cross_field(tm, np);
+  const T_mesh t_mesh = trace_motorcycle_graph(field, np);
+  const Quad_layout layout = extract_quad_layout(t_mesh, quantize(t_mesh, np));
+  extract_quad_mesh(embed_quad_layout(field, t_mesh, layout, np), layout, out, np_out);
+  smooth_quad_mesh(out, tm, np_out, np);
+}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_QUAD_REMESH_H
