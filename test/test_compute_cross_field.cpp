@@ -1,0 +1,330 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE compute_cross_field
+#include <boost/test/unit_test.hpp>
+
+#include "generated_meshes.h"
+
+#include <CGAL/Quad_layouts/compute_cross_field.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace QL = CGAL::Quad_layouts;
+namespace params = QL::parameters;
+
+using generated::Mesh;
+using generated::Point;
+using generated::Vector;
+using Face_vectors = Mesh::Property_map<Mesh::Face_index, Vector>;
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+// the least angle between a direction of face f and `v`, up to quarter turns
+double deviation(const QL::Cross_field& field, int f, const Eigen::Vector3d& v)
+{
+  const double c = std::abs(field.direction(f, 0).dot(v.normalized()));
+  const double s = std::abs(field.direction(f, 1).dot(v.normalized()));
+  return std::atan2((std::min)(c, s), (std::max)(c, s));
+}
+
+std::vector<int> indices(const QL::Cross_field& field)
+{
+  std::vector<int> result;
+  for (int v = 0; v < field.surface().number_of_vertices(); ++v)
+    result.push_back(field.index(v));
+  return result;
+}
+
+// the indices by position: copies of a mesh may number their vertices in another order
+std::map<std::array<double, 3>, int> indices_in_space(const QL::Cross_field& field)
+{
+  std::map<std::array<double, 3>, int> result;
+  for (int v = 0; v < field.surface().number_of_vertices(); ++v) {
+    const auto& p = field.surface().point(v);
+    result[{p.x(), p.y(), p.z()}] = field.index(v);
+  }
+  return result;
+}
+
+int strongest_index(const QL::Cross_field& field)
+{
+  const auto all = indices(field);
+  return *std::max_element(all.begin(), all.end());
+}
+
+// what holds for every field: matchings of opposite halfedges cancel; going around a vertex they turn
+// directions back by the index, as whole turns do not show; and the indices sum to 4 chi
+void check_invariants(const QL::Cross_field& field)
+{
+  const auto& s = field.surface();
+  for (int h = 0; h < s.number_of_halfedges(); ++h)
+    BOOST_REQUIRE((field.matching(h) + field.matching(s.opposite(h))) % 4 == 0);
+  for (int f = 0; f < s.number_of_faces(); ++f)
+    BOOST_REQUIRE(std::isfinite(field.angle(f)));
+  for (int v = 0; v < s.number_of_vertices(); ++v) {
+    const int first = s.halfedge(v);
+    double angle = field.angle(s.face(first)), corners = 0;
+    int direction = 0;
+    s.for_each_outgoing(v, [&](int h) {
+      const int out = s.prev(h);
+      direction += field.matching(out);
+      angle += s.transport(out);
+      corners += s.corner_angle(h);
+    });
+    // transported once around, the frame has turned by the angle defect; directions by the matchings
+    const double holonomy = std::remainder(angle - field.angle(s.face(first)) + corners, 360 * degree);
+    BOOST_REQUIRE_SMALL(holonomy, 1e-6);
+    BOOST_REQUIRE((direction - field.index(v)) % 4 == 0);
+  }
+  BOOST_TEST(field.index_sum() ==
+             4 * (s.number_of_vertices() - s.number_of_edges() + s.number_of_faces()));
+}
+
+QL::Cross_field checked_field(const Mesh& mesh)
+{
+  const QL::Cross_field field = QL::compute_cross_field(mesh);
+  check_invariants(field);
+  return field;
+}
+
+Face_vectors vectors_on(Mesh& mesh, const Vector& v)
+{
+  return mesh.add_property_map<Mesh::Face_index, Vector>("f:test_vector", v).first;
+}
+
+template <class Exception>
+std::function<bool(const Exception&)> message_contains(const std::string& text)
+{
+  return [text](const Exception& e) { return std::string(e.what()).find(text) != std::string::npos; };
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(cube_has_its_corners_and_edges)
+{
+  const QL::Cross_field field = checked_field(generated::cube(4));
+  BOOST_TEST(field.number_of_singularities() == 8);
+  const auto& s = field.surface();
+  for (int v = 0; v < s.number_of_vertices(); ++v) {
+    const auto& p = s.point(v);
+    const bool is_corner = ((p.array() == 0) || (p.array() == 1)).all();
+    BOOST_TEST(field.index(v) == (is_corner ? 1 : 0));
+  }
+  for (int f = 0; f < s.number_of_faces(); ++f)
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)})
+      if (std::abs(s.normal(f).dot(axis)) < 0.5)
+        BOOST_TEST(deviation(field, f, axis) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(spheres_tori_and_slabs)
+{
+  BOOST_TEST(checked_field(generated::icosphere(3)).number_of_singularities() == 8);
+  BOOST_TEST(checked_field(generated::torus(24, 12)).number_of_singularities() == 0);
+  BOOST_TEST(strongest_index(checked_field(generated::slab_with_holes(2, 3))) <= 1);
+  const Mesh noisy = generated::noisy(generated::torus(40, 20), 0.1, 7);
+  BOOST_TEST(checked_field(noisy).index_sum() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(curvature_is_followed)
+{
+  // a torus, sheared in its parameters by the diagonals of its triangles only: its principal directions are
+  // those of its grid
+  const QL::Cross_field field = checked_field(generated::torus(40, 20));
+  const auto& s = field.surface();
+  for (int f = 0; f < s.number_of_faces(); ++f) {
+    const Eigen::Vector3d center = (s.point(s.source(3 * f)) + s.point(s.source(3 * f + 1))
+                                    + s.point(s.source(3 * f + 2))) / 3;
+    BOOST_TEST(deviation(field, f, Eigen::Vector3d(-center.y(), center.x(), 0)) < 10 * degree);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(tips_are_split)
+{
+  // four vertices share the index 8
+  const QL::Cross_field field = checked_field(generated::tetrahedron());
+  BOOST_TEST(indices(field) == std::vector<int>(4, 2), boost::test_tools::per_element());
+
+  Mesh spiked = generated::icosphere(3);
+  for (int v : {0, 3, 17, 40})
+    spiked.point(Mesh::Vertex_index(v)) = CGAL::ORIGIN + 4 * (spiked.point(Mesh::Vertex_index(v)) - CGAL::ORIGIN);
+  BOOST_TEST(strongest_index(checked_field(spiked)) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(same_answer_twice)
+{
+  const Mesh mesh = generated::noisy(generated::icosphere(3), 0.02, 1);
+  const QL::Cross_field a = checked_field(mesh), b = checked_field(mesh);
+  for (int f = 0; f < a.surface().number_of_faces(); ++f)
+    BOOST_REQUIRE(a.angle(f) == b.angle(f));
+  BOOST_TEST(indices(a) == indices(b), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(scale_and_shape_of_triangles)
+{
+  const Mesh mesh = generated::noisy(generated::slab_with_holes(1, 5), 0.05, 3);
+  const QL::Cross_field field = checked_field(mesh);
+  for (double scale : {1e-6, 1e6}) {
+    Mesh scaled = mesh;
+    for (auto v : vertices(scaled))
+      scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
+    BOOST_TEST(indices(checked_field(scaled)) == indices(field), boost::test_tools::per_element());
+  }
+  for (double scale : {1e-2, 1e-4, 1e-8}) {
+    Mesh squashed = mesh;
+    for (auto v : vertices(squashed)) {
+      const Point p = squashed.point(v);
+      squashed.point(v) = Point(p.x(), scale * p.y(), p.z());
+    }
+    checked_field(squashed);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(components_are_independent)
+{
+  const Mesh a = generated::noisy(generated::cube(5), 0.02, 5), b = generated::torus(30, 15, 200, 80);
+  auto expected = indices(checked_field(a));
+  const auto rest = indices(checked_field(b));
+  expected.insert(expected.end(), rest.begin(), rest.end());
+  const QL::Cross_field both =
+    checked_field(generated::disjoint_union(a, generated::translated(b, Vector(900, 0, 0))));
+  BOOST_TEST(indices(both) == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(constraints_are_kept)
+{
+  Mesh mesh = generated::icosphere(3);
+  Face_vectors constraints = vectors_on(mesh, CGAL::NULL_VECTOR);
+  for (int f : {5, 300, 301, 900})
+    constraints[Mesh::Face_index(f)] = Vector(1, 2, 3 + f);
+  const QL::Cross_field field =
+    QL::compute_cross_field(mesh, params::face_constraint_map(constraints).curvature_alignment(0));
+  check_invariants(field);
+  for (int f : {5, 300, 301, 900}) {
+    const Eigen::Vector3d v(1, 2, 3 + f), n = field.surface().normal(f);
+    BOOST_TEST(deviation(field, f, v - v.dot(n) * n) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(given_directions_are_kept)
+{
+  // by hand: the cube's own axes, which meet at the edges without any turn
+  Mesh mesh = generated::cube(3);
+  Face_vectors directions = vectors_on(mesh, Vector(1, 0, 0));
+  for (auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const Vector n = CGAL::normal(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                                  mesh.point(target(next(h, mesh), mesh)));
+    if (n.x() != 0)
+      directions[f] = Vector(7, -5, 0);
+  }
+  const QL::Cross_field field = QL::compute_cross_field(mesh, params::face_direction_map(directions));
+  check_invariants(field);
+  BOOST_TEST(field.number_of_singularities() == 8);
+  for (auto f : faces(mesh)) {
+    Eigen::Vector3d expected(directions[f].x(), directions[f].y(), 0);
+    const Eigen::Vector3d n = field.surface().normal(int(f));
+    expected -= expected.dot(n) * n;
+    BOOST_TEST((field.direction(int(f), 0) - expected.normalized()).norm() < 1e-12);
+  }
+
+  // all faces constrained: the same directions
+  const QL::Cross_field again = QL::compute_cross_field(mesh, params::face_constraint_map(directions));
+  BOOST_TEST(indices(again) == indices(field), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(random_directions)
+{
+  Mesh mesh = generated::noisy(generated::slab_with_holes(1, 4), 0.05, 9);
+  Face_vectors directions = vectors_on(mesh, CGAL::NULL_VECTOR);
+  std::mt19937 random(11);
+  for (auto f : faces(mesh))
+    directions[f] = Vector(random() % 1000 - 499.5, random() % 1000 - 499.5, random() % 1000 - 499.5);
+  check_invariants(QL::compute_cross_field(mesh, params::face_direction_map(directions)));
+}
+
+BOOST_AUTO_TEST_CASE(impossible_directions_are_refused)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Mesh mesh = generated::tetrahedron();                // face 0 is normal to the z-axis
+  Face_vectors directions = vectors_on(mesh, Vector(1, 3, 9));
+  const auto expect = [&](const auto& np, const Vector& v, const char* text) {
+    directions[Mesh::Face_index(0)] = v;
+    BOOST_CHECK_EXCEPTION(QL::compute_cross_field(mesh, np), QL::Invalid_parameter,
+                          message_contains<QL::Invalid_parameter>(text));
+  };
+  const auto given = params::face_direction_map(directions);
+  expect(given, CGAL::NULL_VECTOR, "face_direction_map: the vector of face 0 is zero");
+  expect(given, Vector(0, 0, -2), "face_direction_map: the vector of face 0 is normal");
+  expect(given, Vector(0, nan, 1), "face_direction_map: the vector of face 0 is not finite");
+  const auto constrained = params::face_constraint_map(directions);
+  expect(constrained, Vector(0, 0, 1e-200), "face_constraint_map: the vector of face 0 is normal");
+  expect(constrained, Vector(1 / 0., 0, 1), "face_constraint_map: the vector of face 0 is not finite");
+}
+
+BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused)
+{
+  const Mesh mesh = generated::tetrahedron();
+  const auto expect = [&](const auto& np, const char* text) {
+    BOOST_CHECK_EXCEPTION(QL::compute_cross_field(mesh, np), QL::Invalid_parameter,
+                          message_contains<QL::Invalid_parameter>(text));
+  };
+  expect(params::curvature_alignment(-1), "curvature_alignment: -1");
+  expect(params::diffusion_time(0), "diffusion_time: 0");
+  expect(params::diffusion_time(std::numeric_limits<double>::infinity()), "diffusion_time: inf");
+  expect(params::number_of_iterations(0), "number_of_iterations: 0");
+}
+
+BOOST_AUTO_TEST_CASE(visitor_can_stop)
+{
+  struct Visitor : QL::Default_visitor
+  {
+    int calls = 0;
+    void progress(const char*, double) { ++calls; }
+    bool go_on() { return calls < 3; }
+  } visitor;
+  const Mesh mesh = generated::icosphere(2);
+  BOOST_CHECK_THROW(QL::compute_cross_field(mesh, params::visitor(std::ref(visitor))), QL::Cancelled);
+  BOOST_TEST(visitor.calls == 3);
+}
+
+BOOST_AUTO_TEST_CASE(polyhedron)
+{
+  const Mesh mesh = generated::noisy(generated::slab_with_holes(1, 3), 0.02, 2);
+  CGAL::Polyhedron_3<generated::Kernel> polyhedron;
+  CGAL::copy_face_graph(mesh, polyhedron);
+  const QL::Cross_field field = QL::compute_cross_field(polyhedron);
+  check_invariants(field);
+  BOOST_TEST(indices_in_space(field) == indices_in_space(QL::compute_cross_field(mesh)));
+}
+
+BOOST_AUTO_TEST_CASE(real_meshes)
+{
+  for (const char* name : {"anchor_dense", "cow", "hand", "knot1", "retinal", "fandisk"}) {
+    std::ifstream in(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+    Mesh mesh;
+    if (!(in >> mesh) || !CGAL::is_triangle_mesh(mesh) || !CGAL::is_closed(mesh)) {
+      BOOST_TEST_MESSAGE(name << " skipped");
+      continue;
+    }
+    BOOST_TEST_MESSAGE(name << ": " << checked_field(mesh).number_of_singularities() << " singularities");
+  }
+}
