@@ -43,7 +43,7 @@ inline double least_sine(const Quad& q, const Eigen::Vector3d& normal)
 {
   std::array<Eigen::Vector3d, 4> side;
   for (int k = 0; k < 4; ++k)
-    side[k] = (q[(k + 1) & 3] - q[k]).stableNormalized();
+    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
   double least = 1;
   for (int k = 0; k < 4; ++k)
     least = (std::min)(least, side[(k + 3) & 3].cross(side[k]).dot(normal));
@@ -53,7 +53,7 @@ inline double least_sine(const Quad& q, const Eigen::Vector3d& normal)
 // the scaled Jacobian: 1 for a rectangle, not positive for a quad that is not convex
 inline double scaled_jacobian(const Quad& q)
 {
-  return least_sine(q, area_vector(q).stableNormalized());
+  return least_sine(q, area_vector(q).normalized());
 }
 
 } // namespace internal

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_STAR_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_STAR_H
+
+#include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// A quad and the unit normals of the surface at its corners.
+struct Quad_on_surface
+{
+  Quad quad;
+  std::array<Eigen::Vector3d, 4> normals;
+};
+
+// the scaled Jacobian, or the least cosine of the angles between the quad and the surface at the
+// corners if that is less
+inline double quality(const Quad& quad, const std::array<Eigen::Vector3d, 4>& normals)
+{
+  const Eigen::Vector3d own = area_vector(quad).normalized();
+  double result = least_sine(quad, own);
+  for (const Eigen::Vector3d& n : normals)
+    result = (std::min)(result, own.dot(n));
+  return result;
+}
+
+// The quads around a vertex as functions of its position x: all that smoothing one vertex looks at.
+// The normals of the surface are taken where the corners have been.
+class Star
+{
+public:
+  using Vector = Eigen::Vector3d;
+
+  // begins an empty star
+  void clear() { m_sectors.clear(); }
+
+  // adds a quad whose corner 0 is the vertex; its side from corner 0 to corner 1 is an edge of the
+  // star
+  void add(const Quad_on_surface& q)
+  {
+    const auto& n = q.normals;
+    m_sectors.emplace_back(q, (n[0] + n[1] + n[2] + n[3]).normalized(), 1.);
+  }
+
+  const Vector& position() const { return m_sectors.front().quad[0]; }
+
+  // the mean of the squared lengths of the edges
+  double squared_edge_length() const
+  {
+    double sum = 0;
+    for (const Sector& s : m_sectors)
+      sum += (s.quad[1] - s.quad[0]).squaredNorm();
+    return sum / double(m_sectors.size());
+  }
+
+  // Gives each edge a weight, 1 on average, that grows with its length and with the turn of the
+  // normal along it, as if it were measured in the six-dimensional space of points and normals. So
+  // vertices gather where the surface bends.
+  void weigh_edges()
+  {
+    constexpr double bending = 20;
+    const double bend = bending * squared_edge_length();
+    double sum = 0;
+    for (Sector& s : m_sectors) {
+      s.weight = std::sqrt((s.quad[1] - s.quad[0]).squaredNorm() +
+                           bend * (s.normals[1] - s.normals[0]).squaredNorm());
+      sum += s.weight;
+    }
+    if (sum > 0)
+      for (Sector& s : m_sectors)
+        s.weight *= double(m_sectors.size()) / sum;
+  }
+
+  // the weighted mean of the neighbours
+  Vector barycentre() const
+  {
+    Vector sum = Vector::Zero();
+    for (const Sector& s : m_sectors)
+      sum += s.weight * s.quad[1];
+    return sum / double(m_sectors.size());
+  }
+
+  // says if each quad stays as good as it is, or at least sufficiently good, when the vertex moves
+  // to x
+  bool permits(const Vector& x) const
+  {
+    constexpr double sufficient = 0.5;
+    return std::all_of(m_sectors.begin(), m_sectors.end(), [&](const Sector& s) {
+      const double q = quality(s.moved_to(x), s.normals);
+      return q >= sufficient || q >= quality(s.quad, s.normals);
+    });
+  }
+
+  // An energy that is least if the quads are rectangles parallel to the surface, whatever their
+  // aspect, and the weighted edges are short.
+  double energy(const Vector& x, double spring) const
+  {
+    double sum = 0;
+    for (const Sector& s : m_sectors)
+      sum += shape_energy(s.moved_to(x), s.mean_normal) +
+             spring * s.weight * (s.quad[1] - x).squaredNorm();
+    return sum;
+  }
+
+private:
+  struct Sector : Quad_on_surface
+  {
+    Sector(const Quad_on_surface& q, const Vector& mean_normal, double weight)
+      : Quad_on_surface(q), mean_normal(mean_normal), weight(weight)
+    {
+    }
+    Quad moved_to(const Vector& x) const { return {x, quad[1], quad[2], quad[3]}; }
+
+    Vector mean_normal;
+    double weight;
+  };
+
+  // A decreasing, smooth function of a sine or cosine: about 1 / s^2 for positive values, finite
+  // but large for negative ones. By this regularization Garanzha et al. 2021 ("Foldover-free maps
+  // in 50 lines of code") untangle meshes.
+  static double penalty(double s)
+  {
+    constexpr double epsilon = 0.1;
+    const double positive = (s + std::sqrt(s * s + epsilon * epsilon)) / 2;
+    return 1 / (positive * positive);
+  }
+
+  static double shape_energy(const Quad& q, const Vector& surface_normal)
+  {
+    const Vector own = area_vector(q).normalized();
+    const double cosine = own.dot(surface_normal);
+    const Vector& axis = cosine > 0 ? own : surface_normal;
+    std::array<Vector, 4> side;
+    for (int k = 0; k < 4; ++k)
+      side[k] = (q[(k + 1) & 3] - q[k]).normalized();
+    double energy = penalty(cosine);
+    for (int k = 0; k < 4; ++k)
+      energy += penalty(side[(k + 3) & 3].cross(side[k]).dot(axis));
+    return energy;
+  }
+
+  std::vector<Sector> m_sectors;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_STAR_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_SURFACE_WALK_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_SURFACE_WALK_H
+
+#include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
+#include <CGAL/Quad_layouts/internal/surface/Triangle_tree.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Points that slide on a surface.
+//
+// A point knows its triangle, and follows a target in space by walking from triangle to triangle as
+// long as that brings it closer. Unlike a search for the nearest point of the whole surface this is
+// fast, and can never jump to the other sheet of a thin part.
+class Surface_walk
+{
+public:
+  using Vector = Eigen::Vector3d;
+
+  struct Place
+  {
+    Vector point;
+    int face;
+  };
+
+  explicit Surface_walk(const Triangle_surface& surface)
+    : m_surface(surface), m_tree(corners(surface)),
+      m_vertex_normals(surface.number_of_vertices(), Vector::Zero())
+  {
+    for (int h = 0; h < surface.number_of_halfedges(); ++h)
+      m_vertex_normals[surface.source(h)] += surface.area_vector(surface.face(h));
+    for (Vector& n : m_vertex_normals)
+      n.stableNormalize();
+  }
+
+  // the place nearest to p. A triangle whose normal opposes `normal` is taken only if it is nearer
+  // than all others by more than `tolerance`: it may belong to the other sheet of a thin part.
+  Place locate(const Vector& p, const Vector& normal, double tolerance) const
+  {
+    const auto nearest = m_tree.nearest(p);
+    if (agrees(nearest.triangle, normal))
+      return {nearest.point, nearest.triangle};
+    const auto agreeing = m_tree.nearest_if(p, [&](int t) { return agrees(t, normal); });
+    const auto& chosen = agreeing.distance <= nearest.distance + tolerance ? agreeing : nearest;
+    return {chosen.point, chosen.triangle};
+  }
+
+  // the triangle nearest to p
+  int nearest_face(const Vector& p) const { return m_tree.nearest(p).triangle; }
+
+  // the place to which a point that follows `target` gets from `start`
+  Place slide(const Place& start, const Vector& target) const
+  {
+    Projection here = project(start.face, target);
+    while (step_closer(target, here)) {}
+    return {here.point, here.face};
+  }
+
+  // the unit normal of the surface at a place, interpolated between its vertices
+  Vector normal(const Place& place) const
+  {
+    Vector sum = Vector::Zero();
+    for (int h = 3 * place.face; h < 3 * place.face + 3; ++h) {
+      const Vector& a = m_surface.point(m_surface.target(h));
+      const Vector& b = m_surface.point(m_surface.target(m_surface.next(h)));
+      const double weight = (a - place.point).cross(b - place.point).norm();
+      sum += weight * m_vertex_normals[m_surface.source(h)];
+    }
+    const Vector flat = m_surface.normal(place.face);
+    return sum.dot(flat) > 0 ? Vector(sum.stableNormalized()) : flat;
+  }
+
+  const Triangle_surface& surface() const { return m_surface; }
+
+private:
+  // The point of a face that is nearest to a target. It lies inside the face, on the edge of one of
+  // its halfedges, or at the source of one of them.
+  struct Projection
+  {
+    enum Where { INSIDE, ON_EDGE, AT_VERTEX };
+
+    Vector point;
+    int face;
+    Where where = INSIDE;
+    int halfedge = -1;
+    double squared_distance = 0;
+  };
+
+  static std::vector<Triangle_tree::Corners> corners(const Triangle_surface& surface)
+  {
+    std::vector<Triangle_tree::Corners> result;
+    for (int f = 0; f < surface.number_of_faces(); ++f)
+      result.push_back({surface.point(surface.source(3 * f)), surface.point(surface.target(3 * f)),
+                        surface.point(surface.source(3 * f + 2))});
+    return result;
+  }
+
+  bool agrees(int face, const Vector& normal) const
+  {
+    return m_surface.area_vector(face).dot(normal) > 0;
+  }
+
+  Projection project(int face, const Vector& target) const
+  {
+    const Vector n = m_surface.area_vector(face);
+    Projection best;
+    best.face = face;
+    bool inside = true;
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      const Vector side = m_surface.vector(h),
+                   to_target = target - m_surface.point(m_surface.source(h));
+      if (n.cross(side).dot(to_target) >= 0)
+        continue;
+      const Projection p = project_to_edge(h, side, to_target, target);
+      if (inside || p.squared_distance < best.squared_distance)
+        best = p;
+      inside = false;
+    }
+    if (inside) {
+      best.point = target - n * (n.dot(target - m_surface.point(m_surface.source(3 * face))) /
+                                 n.squaredNorm());
+      best.squared_distance = (best.point - target).squaredNorm();
+    }
+    return best;
+  }
+
+  Projection project_to_edge(int h, const Vector& side, const Vector& to_target,
+                             const Vector& target) const
+  {
+    const double t = side.dot(to_target) / side.squaredNorm();
+    Projection result;
+    result.face = m_surface.face(h);
+    result.where = t > 0 && t < 1 ? Projection::ON_EDGE : Projection::AT_VERTEX;
+    result.halfedge = t < 1 ? h : m_surface.next(h);
+    result.point = result.where == Projection::ON_EDGE
+                       ? Vector(m_surface.point(m_surface.source(h)) + t * side)
+                       : m_surface.point(m_surface.source(result.halfedge));
+    result.squared_distance = (result.point - target).squaredNorm();
+    return result;
+  }
+
+  // moves to the best of the faces that share the edge or vertex at which `here` lies
+  bool step_closer(const Vector& target, Projection& here) const
+  {
+    const double reached = here.squared_distance;
+    const Projection from = here;
+    const auto try_face = [&](int face) {
+      const Projection p = project(face, target);
+      if (p.squared_distance < here.squared_distance)
+        here = p;
+    };
+    if (from.where == Projection::ON_EDGE && m_surface.opposite(from.halfedge) >= 0)
+      try_face(m_surface.face(m_surface.opposite(from.halfedge)));
+    else if (from.where == Projection::AT_VERTEX)
+      m_surface.for_each_outgoing(m_surface.source(from.halfedge),
+                                  [&](int h) { try_face(m_surface.face(h)); });
+    return here.squared_distance < reached;
+  }
+
+  const Triangle_surface& m_surface;
+  const Triangle_tree m_tree;
+  std::vector<Vector> m_vertex_normals;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_SURFACE_WALK_H

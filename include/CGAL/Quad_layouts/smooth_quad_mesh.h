@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_SMOOTH_QUAD_MESH_H
+#define CGAL_QUAD_LAYOUTS_SMOOTH_QUAD_MESH_H
+
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/measure_polygons.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quad_smoother.h>
+#include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
+#include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/visitor.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+namespace internal {
+
+inline void check_quads(const Polygons& mesh)
+{
+  for (int f = 0; f < mesh.number_of_faces(); ++f)
+    if (mesh.degree(f) != 4)
+      throw Stage_failure("smooth_quad_mesh: face " + std::to_string(f) + " has " +
+                          std::to_string(mesh.degree(f)) + " sides instead of four");
+}
+
+// the points of a working mesh go back to the mesh it was made from
+template <class PolygonMesh, class VertexPointMap>
+void put_points(const Polygons& from, PolygonMesh& mesh, const VertexPointMap vpm)
+{
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+  std::size_t i = 0;
+  for (const auto v : vertices(mesh)) {
+    const Eigen::Vector3d& p = from.points[i++];
+    put(vpm, v, Point_3(p.x(), p.y(), p.z()));
+  }
+}
+
+// the visitor of the first pack, or else that of the second
+template <class NamedParameters, class OtherParameters>
+Monitor monitor_from(const NamedParameters& np, const OtherParameters& other)
+{
+  using Found = decltype(parameters::get_parameter(np, internal_np::visitor));
+  if constexpr (std::is_same_v<std::decay_t<Found>, internal_np::Param_not_found>)
+    return monitor_from(other);
+  else
+    return monitor_from(np);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+moves the vertices of a quad mesh on a surface, so that its quads get closer to rectangles.
+
+All vertices move, irregular ones too: this is the step that carries the singularities of a layout
+to better places (\cgalCite{lck-sqlrs-21}, Section 5). First the vertices are put on the surface.
+Then they are moved to weighted means of their neighbours, where edges count more the longer they
+are and the more the surface bends along them. At last the quads' angles are optimized, by Newton
+steps for one vertex at a time. A move that would turn a quad inside out, or over by more than 60
+degrees against the surface, is not made; bad quads that are there from the beginning are untangled
+if possible. Vertices follow the surface continuously, from triangle to triangle, and so never jump
+between the two sides of a thin part.
+
+\tparam QuadMesh a model of `FaceListGraph`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam NamedParametersQuads a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParametersSurface a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param quads the quad mesh; vertices on its border stay where they are
+\param surface the surface, which `quads` should already lie close to
+\param np_quads an optional sequence of \ref bgl_namedparameters "Named Parameters" among those
+listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `quads`}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a
+three-dimensional point as value type} \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the number of sweeps over all vertices that optimize angles; there are
+twice as many that take means of neighbours} \cgalParamType{`int`} \cgalParamDefault{30}
+    \cgalParamExtra{With 0 the vertices are only put on the surface, and inverted quads untangled.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{an object that follows the work and may stop it}
+    \cgalParamType{a model of `QuadLayoutsVisitor`}
+    \cgalParamDefault{that of `np_surface`, or else `Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\param np_surface an optional sequence of \ref bgl_namedparameters "Named Parameters" among those
+listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `surface`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
+three-dimensional point as value type} \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throw Invalid_mesh if `surface` cannot be used; the exception is of the class that says why.
+\throw Invalid_parameter if `number_of_iterations` is negative.
+\throw Stage_failure if a face of `quads` is not a quad.
+\throw Cancelled if the visitor stops the work. `quads` has not been changed then.
+
+The time is linear in the number of vertices and iterations.
+
+\sa `measure_quad_mesh()`
+*/
+template <class QuadMesh, class TriangleMesh,
+          class NamedParametersQuads = parameters::Default_named_parameters,
+          class NamedParametersSurface = parameters::Default_named_parameters>
+void smooth_quad_mesh(QuadMesh& quads, const TriangleMesh& surface,
+                      const NamedParametersQuads& np_quads = parameters::default_values(),
+                      const NamedParametersSurface& np_surface = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  const int number_of_iterations = choose_parameter(
+      get_parameter(np_quads, internal_np::number_of_iterations), 30);
+  if (number_of_iterations < 0)
+    throw Invalid_parameter("number_of_iterations is " + std::to_string(number_of_iterations) +
+                            ", but must not be negative");
+  const auto quad_points = choose_parameter(get_parameter(np_quads, internal_np::vertex_point),
+                                            get_property_map(vertex_point, quads));
+  const auto surface_points = choose_parameter(get_parameter(np_surface, internal_np::vertex_point),
+                                               get_const_property_map(vertex_point, surface));
+
+  const internal::Monitor monitor = internal::monitor_from(np_quads, np_surface);
+  monitor.run("smooth_quad_mesh", [&] {
+    const internal::Triangle_surface triangles = internal::make_triangle_surface(surface,
+                                                                                 surface_points);
+    internal::Polygons mesh = internal::make_polygons(quads, quad_points);
+    internal::check_quads(mesh);
+    const internal::Surface_walk walk(triangles);
+    internal::Quad_smoother(mesh, walk).run(number_of_iterations, monitor);
+    internal::put_points(mesh, quads, quad_points);
+  });
+}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_SMOOTH_QUAD_MESH_H
