@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/parameters.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -132,7 +133,7 @@ bool write_quad_mesh_vtp(std::ostream& out, const QuadMesh& quads, const FacePat
   const auto index = get(CGAL::dynamic_vertex_property_t<int>(), quads);
   const auto valence = [&](const Vertex v) { return int(degree(v, quads)); };
   const auto is_irregular = [&](const Vertex v) {
-    const bool border = bool(CGAL::is_border(v, quads));
+    const bool border = bool(is_border(v, quads));
     return valence(v) == 0 || valence(v) == (border ? 3 : 4) ? 0 : 1;
   };
 
