@@ -71,8 +71,8 @@ int strongest_index(const QL::Cross_field& field)
   return *std::max_element(all.begin(), all.end());
 }
 
-// what holds for every field: matchings of opposite halfedges cancel; going around a vertex they turn
-// directions back by the index, as whole turns do not show; and the indices sum to 4 chi
+// what holds for every field: matchings of opposite halfedges cancel; going around a vertex they
+// turn directions back by the index, as whole turns do not show; and the indices sum to 4 chi
 void check_invariants(const QL::Cross_field& field)
 {
   const auto& s = field.surface();
@@ -90,8 +90,10 @@ void check_invariants(const QL::Cross_field& field)
       angle += s.transport(out);
       corners += s.corner_angle(h);
     });
-    // transported once around, the frame has turned by the angle defect; directions by the matchings
-    const double holonomy = std::remainder(angle - field.angle(s.face(first)) + corners, 360 * degree);
+    // transported once around, the frame has turned by the angle defect; directions by the
+    // matchings
+    const double holonomy =
+      std::remainder(angle - field.angle(s.face(first)) + corners, 360 * degree);
     BOOST_REQUIRE_SMALL(holonomy, 1e-6);
     BOOST_REQUIRE((direction - field.index(v)) % 4 == 0);
   }
@@ -114,7 +116,9 @@ Face_vectors vectors_on(Mesh& mesh, const Vector& v)
 template <class Exception>
 std::function<bool(const Exception&)> message_contains(const std::string& text)
 {
-  return [text](const Exception& e) { return std::string(e.what()).find(text) != std::string::npos; };
+  return [text](const Exception& e) {
+    return std::string(e.what()).find(text) != std::string::npos;
+  };
 }
 
 } // namespace
@@ -146,8 +150,8 @@ BOOST_AUTO_TEST_CASE(spheres_tori_and_slabs)
 
 BOOST_AUTO_TEST_CASE(curvature_is_followed)
 {
-  // a torus, sheared in its parameters by the diagonals of its triangles only: its principal directions are
-  // those of its grid
+  // a torus, sheared in its parameters by the diagonals of its triangles only: its principal
+  // directions are those of its grid
   const QL::Cross_field field = checked_field(generated::torus(40, 20));
   const auto& s = field.surface();
   for (int f = 0; f < s.number_of_faces(); ++f) {
@@ -164,8 +168,10 @@ BOOST_AUTO_TEST_CASE(tips_are_split)
   BOOST_TEST(indices(field) == std::vector<int>(4, 2), boost::test_tools::per_element());
 
   Mesh spiked = generated::icosphere(3);
-  for (int v : {0, 3, 17, 40})
-    spiked.point(Mesh::Vertex_index(v)) = CGAL::ORIGIN + 4 * (spiked.point(Mesh::Vertex_index(v)) - CGAL::ORIGIN);
+  for (int v : {0, 3, 17, 40}) {
+    Point& tip = spiked.point(Mesh::Vertex_index(v));
+    tip = CGAL::ORIGIN + 4 * (tip - CGAL::ORIGIN);
+  }
   BOOST_TEST(strongest_index(checked_field(spiked)) == 1);
 }
 
@@ -198,9 +204,22 @@ BOOST_AUTO_TEST_CASE(scale_and_shape_of_triangles)
   }
 }
 
+BOOST_AUTO_TEST_CASE(needles)
+{
+  // a tetrahedron with a point so near to one of its edges that areas vanish by rounding
+  for (double distance : {1e-3, 1e-17, 1e-300}) {
+    const Point near_edge(0.5, distance, distance);
+    const Mesh mesh = generated::mesh_of(
+      {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), near_edge},
+      {{0, 2, 1}, {1, 2, 3}, {0, 3, 2}, {0, 4, 3}, {4, 1, 3}, {0, 1, 4}});
+    BOOST_TEST(strongest_index(checked_field(mesh)) == 2);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(components_are_independent)
 {
-  const Mesh a = generated::noisy(generated::cube(5), 0.02, 5), b = generated::torus(30, 15, 200, 80);
+  const Mesh a = generated::noisy(generated::cube(5), 0.02, 5);
+  const Mesh b = generated::torus(30, 15, 200, 80);
   auto expected = indices(checked_field(a));
   const auto rest = indices(checked_field(b));
   expected.insert(expected.end(), rest.begin(), rest.end());
@@ -236,7 +255,8 @@ BOOST_AUTO_TEST_CASE(given_directions_are_kept)
     if (n.x() != 0)
       directions[f] = Vector(7, -5, 0);
   }
-  const QL::Cross_field field = QL::compute_cross_field(mesh, params::face_direction_map(directions));
+  const QL::Cross_field field =
+    QL::compute_cross_field(mesh, params::face_direction_map(directions));
   check_invariants(field);
   BOOST_TEST(field.number_of_singularities() == 8);
   for (auto f : faces(mesh)) {
@@ -247,7 +267,8 @@ BOOST_AUTO_TEST_CASE(given_directions_are_kept)
   }
 
   // all faces constrained: the same directions
-  const QL::Cross_field again = QL::compute_cross_field(mesh, params::face_constraint_map(directions));
+  const QL::Cross_field again =
+    QL::compute_cross_field(mesh, params::face_constraint_map(directions));
   BOOST_TEST(indices(again) == indices(field), boost::test_tools::per_element());
 }
 
@@ -256,14 +277,18 @@ BOOST_AUTO_TEST_CASE(random_directions)
   Mesh mesh = generated::noisy(generated::slab_with_holes(1, 4), 0.05, 9);
   Face_vectors directions = vectors_on(mesh, CGAL::NULL_VECTOR);
   std::mt19937 random(11);
-  for (auto f : faces(mesh))
-    directions[f] = Vector(random() % 1000 - 499.5, random() % 1000 - 499.5, random() % 1000 - 499.5);
+  const auto coordinate = [&] { return int(random() % 1000) - 499.5; };
+  for (auto f : faces(mesh)) {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    directions[f] = Vector(x, y, z);
+  }
   check_invariants(QL::compute_cross_field(mesh, params::face_direction_map(directions)));
 }
 
 BOOST_AUTO_TEST_CASE(impossible_directions_are_refused)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
   Mesh mesh = generated::tetrahedron();                // face 0 is normal to the z-axis
   Face_vectors directions = vectors_on(mesh, Vector(1, 3, 9));
   const auto expect = [&](const auto& np, const Vector& v, const char* text) {
@@ -277,7 +302,8 @@ BOOST_AUTO_TEST_CASE(impossible_directions_are_refused)
   expect(given, Vector(0, nan, 1), "face_direction_map: the vector of face 0 is not finite");
   const auto constrained = params::face_constraint_map(directions);
   expect(constrained, Vector(0, 0, 1e-200), "face_constraint_map: the vector of face 0 is normal");
-  expect(constrained, Vector(1 / 0., 0, 1), "face_constraint_map: the vector of face 0 is not finite");
+  expect(constrained, Vector(infinity, 0, 1),
+         "face_constraint_map: the vector of face 0 is not finite");
 }
 
 BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused)
@@ -302,7 +328,8 @@ BOOST_AUTO_TEST_CASE(visitor_can_stop)
     bool go_on() { return calls < 3; }
   } visitor;
   const Mesh mesh = generated::icosphere(2);
-  BOOST_CHECK_THROW(QL::compute_cross_field(mesh, params::visitor(std::ref(visitor))), QL::Cancelled);
+  BOOST_CHECK_THROW(QL::compute_cross_field(mesh, params::visitor(std::ref(visitor))),
+                    QL::Cancelled);
   BOOST_TEST(visitor.calls == 3);
 }
 
@@ -325,6 +352,8 @@ BOOST_AUTO_TEST_CASE(real_meshes)
       BOOST_TEST_MESSAGE(name << " skipped");
       continue;
     }
-    BOOST_TEST_MESSAGE(name << ": " << checked_field(mesh).number_of_singularities() << " singularities");
+    const QL::Cross_field field = checked_field(mesh);
+    BOOST_TEST_MESSAGE(name << ": " << field.number_of_singularities() << " singularities");
+    BOOST_TEST(strongest_index(field) <= 1);
   }
 }

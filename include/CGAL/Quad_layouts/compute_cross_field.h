@@ -26,7 +26,7 @@ namespace Quad_layouts {
 namespace internal {
 
 // throws unless the options are in their ranges
-inline void check(const Cross_field_options& options)
+inline void check_field_options(const Cross_field_options& options)
 {
   if (!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
     throw Invalid_parameter("curvature_alignment: " + std::to_string(options.curvature_alignment) +
@@ -35,8 +35,8 @@ inline void check(const Cross_field_options& options)
     throw Invalid_parameter("diffusion_time: " + std::to_string(options.diffusion_time) +
                             " is not a finite number > 0");
   if (options.number_of_iterations < 1)
-    throw Invalid_parameter("number_of_iterations: " + std::to_string(options.number_of_iterations) +
-                            " is less than 1");
+    throw Invalid_parameter("number_of_iterations: " +
+                            std::to_string(options.number_of_iterations) + " is less than 1");
 }
 
 } // namespace internal
@@ -46,13 +46,17 @@ inline void check(const Cross_field_options& options)
 
 computes a smooth cross field on a closed triangle mesh, or completes one that is given.
 
-A smooth field minimises the difference between adjacent faces by the diffusion of Merriman, Bence and Osher
-(Viertel and Osting, <em>An approach to quad meshing based on harmonic cross-valued maps and the Ginzburg-Landau
-theory</em>, 2019), softly aligned to the directions of principal curvature and exactly to the directions that are
-prescribed. A given field keeps its directions; only the matchings and indices are computed.
+A smooth field minimises the difference between adjacent faces by the diffusion of Merriman, Bence
+and Osher (Viertel and Osting, <em>An approach to quad meshing based on harmonic cross-valued maps
+and the Ginzburg-Landau theory</em>, 2019), softly aligned to the directions of principal curvature
+and exactly to the directions that are prescribed. Then singularities of valence 2 and less are
+spread over several vertices where the mesh has them; in such places the matching is not always
+the one that turns the field least. A given field keeps its directions; only the matchings and
+indices are computed.
 
-The indices of the field sum to four times the Euler characteristic. The components of the mesh do not influence one
-another, and neither do scale and position; the same input has the same output on every run.
+The indices of the field sum to four times the Euler characteristic. The components of the mesh do
+not influence one another, neither do scale and position; and the same input has the same output on
+every run.
 
 @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 @tparam NamedParameters a sequence of named parameters
@@ -62,39 +66,47 @@ another, and neither do scale and position; the same input has the same output o
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{curvature_alignment}
-    \cgalParamDescription{how strongly the field follows the directions of principal curvature, and so sharp edges: 0 for
-                          not at all; large values keep more of the noise of a scanned surface in the field}
+    \cgalParamDescription{how strongly the field follows the directions of principal curvature, and
+                          so sharp edges: 0 for not at all; large values keep more of the details
+                          and of the noise of a scanned surface in the field}
     \cgalParamType{double}
     \cgalParamDefault{`0.03`}
+    \cgalParamExtra{It must not be negative.}
   \cgalParamNEnd
   \cgalParamNBegin{face_constraint_map}
-    \cgalParamDescription{a direction for some of the faces, which one direction of the cross there shall have; the null
-                          vector leaves a face free. Vectors are projected to their faces.}
-    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh` as key type and
-                   a `Vector_3` of any %CGAL kernel as value type}
+    \cgalParamDescription{a direction for some of the faces, which one direction of the cross there
+                          shall have; the null vector leaves a face free. Vectors are projected to
+                          their faces.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and a `Vector_3` of any %CGAL kernel as value type}
     \cgalParamDefault{all faces are free}
   \cgalParamNEnd
   \cgalParamNBegin{face_direction_map}
-    \cgalParamDescription{the direction of the field in each face, up to projection to the face. The parameters of smooth
-                          fields are not used then.}
-    \cgalParamType{as above}
+    \cgalParamDescription{the direction of the field in each face, up to projection to the face.
+                          The parameters of smooth fields have no effect then.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and a `Vector_3` of any %CGAL kernel as value type}
     \cgalParamDefault{a smooth field is computed}
   \cgalParamNEnd
   \cgalParamNBegin{diffusion_time}
-    \cgalParamDescription{how far a step of the diffusion reaches: the time of a step, in squared edge lengths. Short times
-                          keep more singularities of the start, long ones ignore small details of the surface.}
+    \cgalParamDescription{how far a step of the diffusion reaches: the time of a step, in squared
+                          edge lengths. Short times keep more of the principal directions that the
+                          diffusion starts from, long ones ignore small details of the surface.}
     \cgalParamType{double}
     \cgalParamDefault{`32`}
+    \cgalParamExtra{It must be positive; values from 8 to 128 make sense.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the maximum number of steps; the diffusion ends earlier when the field hardly changes}
+    \cgalParamDescription{the maximum number of steps; the diffusion ends earlier when the field
+                          hardly changes}
     \cgalParamType{int}
     \cgalParamDefault{`40`}
+    \cgalParamExtra{It must be positive.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
-    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
-                   `%Point_3` as value type}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of
+                   `TriangleMesh` as key type and `%Point_3` as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
@@ -107,12 +119,12 @@ another, and neither do scale and position; the same input has the same output o
 \pre `tm` is closed and all its faces are triangles.
 
 \throw Invalid_mesh if the mesh cannot be used; the derived class says why.
-\throw Invalid_parameter if a parameter is out of its range, or a given direction is not finite or normal to its face, or,
-       in `face_direction_map`, zero.
+\throw Invalid_parameter if a parameter is out of its range, or a given direction is not finite or
+       normal to its face, or, in `face_direction_map`, zero.
 \throw Cancelled if the visitor asks to stop.
 
-The time is dominated by one sparse factorization and two triangular solutions a step; it grows a little faster than the
-number of faces.
+The time is dominated by one sparse factorization and two triangular solutions a step; it grows a
+little faster than the number of faces.
 */
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Cross_field compute_cross_field(const TriangleMesh& tm,
@@ -122,13 +134,13 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
   using parameters::get_parameter;
 
   internal::Cross_field_options options;
-  options.curvature_alignment =
-    choose_parameter(get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
+  options.curvature_alignment = choose_parameter(
+    get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
   options.diffusion_time =
     choose_parameter(get_parameter(np, internal_np::diffusion_time), options.diffusion_time);
-  options.number_of_iterations =
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
-  internal::check(options);
+  options.number_of_iterations = choose_parameter(
+    get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
+  internal::check_field_options(options);
 
   const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(vertex_point, tm));
@@ -139,8 +151,8 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
 
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("compute_cross_field", [&] {
-    const auto surface =
-      std::make_shared<const internal::Triangle_surface>(internal::make_triangle_surface(tm, points));
+    const auto surface = std::make_shared<const internal::Triangle_surface>(
+      internal::make_triangle_surface(tm, points));
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);
   });

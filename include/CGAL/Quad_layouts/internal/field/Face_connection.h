@@ -16,9 +16,10 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The geometry that fields on faces are computed with: the angles of the halfedges, the transports across
-// edges (the discrete Levi-Civita connection on the dual graph), areas and the weights of dual edges.
-// The surface is closed. All of it is looked up often, and costs arc tangents and roots: hence the tables.
+// The geometry that fields on faces are computed with: the angles of the halfedges, the
+// transports across edges (the discrete Levi-Civita connection on the dual graph), areas and the
+// weights of dual edges. The surface is closed. All of it is looked up often, and costs arc
+// tangents and roots: hence the tables.
 class Face_connection
 {
 public:
@@ -35,8 +36,9 @@ public:
   // the direction of h in the frame of its face, in [0, 2 pi)
   double halfedge_angle(int h) const { return m_halfedge_angle[h]; }
 
-  // what must be added to an angle in the frame of face(h) to express it in that of the opposite face.
-  // The transport back is the negative, not only up to full turns: rotations must cancel in pairs.
+  // what must be added to an angle in the frame of face(h) to express it in that of the opposite
+  // face. The transport back is the negative, not only up to full turns: rotations must cancel in
+  // pairs.
   double transport(int h) const
   {
     constexpr double pi = 3.14159265358979323846;
@@ -44,8 +46,8 @@ public:
     return m_halfedge_angle[g] - m_halfedge_angle[h] + (h < g ? pi : -pi);
   }
 
-  // the angle at source(h) in face(h). The three of a face sum to pi up to rounding, whatever its shape,
-  // because they are differences of the angles that make up the transports.
+  // the angle at source(h) in face(h). The three of a face sum to pi up to rounding, whatever its
+  // shape, because they are differences of the angles that make up the transports.
   double corner_angle(int h) const
   {
     constexpr double pi = 3.14159265358979323846;
@@ -53,11 +55,13 @@ public:
     return pi - (turn < 0 ? turn + 2 * pi : turn);
   }
 
+  // the area of face f; not less than what the area of a needle loses by rounding, so that quotients
+  // by it are finite
   double area(int f) const { return m_area[f]; }
 
-  // length over dual length of edge e, the latter being the part normal to e of the way from one barycentre
-  // to the other: positive for triangles of any shape, and the cotangent weight for equilateral ones; bounded,
-  // because the area of a needle may vanish by rounding
+  // length over dual length of edge e, the latter being the part normal to e of the way from one
+  // barycentre to the other: positive for triangles of any shape, and the cotangent weight for
+  // equilateral ones; bounded for the sake of the condition of systems of equations
   double weight(int e) const { return m_weight[e]; }
 
 private:
@@ -71,10 +75,14 @@ private:
 
   void compute_areas()
   {
+    constexpr double smallest_ratio = 1e-12;
     const int nf = m_surface->number_of_faces();
     m_area.resize(nf);
-    for (int f = 0; f < nf; ++f)
-      m_area[f] = m_surface->area(f);
+    for (int f = 0; f < nf; ++f) {
+      const double square = m_surface->vector(3 * f).squaredNorm() +
+                            m_surface->vector(3 * f + 1).squaredNorm();
+      m_area[f] = (std::max)(m_surface->area(f), smallest_ratio * square);
+    }
   }
 
   void compute_weights()

@@ -26,23 +26,27 @@ namespace internal {
 
 using Complex = std::complex<double>;
 
-// Smooths a cross field by the diffusion of Merriman, Bence and Osher, as Viertel and Osting use it (2019).
+// Smooths a cross field by the diffusion of Merriman, Bence and Osher, as Viertel and Osting use
+// it (2019).
 //
 // A cross with the angle theta is the number u = e^(4 i theta). The field minimises
 //
-//     sum over edges  w |u_g - e^(4 i transport) u_f|^2  +  sum over faces  |q_f| |u_f - q_f / |q_f||^2
+//     sum over edges  w |u_g - e^(4 i transport) u_f|^2
+//   + sum over faces  |q_f| |u_f - q_f / |q_f||^2
 //
-// for unit u, with pulls q towards a direction; it alternates an implicit Euler step of the gradient flow of this
-// quadratic energy, (m + L + Q) u' = m u + q, and the projection of each u' to the unit circle.
+// for unit u, with pulls q towards a direction; it alternates an implicit Euler step of the
+// gradient flow of this quadratic energy, (m + L + Q) u' = m u + q, and the projection of each u'
+// to the unit circle.
 //
-// All faces have the same mass: a step diffuses over as many triangles everywhere, so that neither
-// the scale of the mesh nor that of another component matters, and no needle spoils the condition.
-// Faces with a fixed direction are no unknowns. The matrix stays the same, so it is factorized once.
+// All faces have the same mass: a step diffuses over as many triangles everywhere, so that
+// neither the scale of the mesh nor that of another component matters, and no needle spoils the
+// condition. Faces with a fixed direction are no unknowns. The matrix stays the same, so it is
+// factorized once.
 class Field_diffusion
 {
 public:
-  // takes the pull on each face and, where it is not 0, its fixed value; a step takes as long as diffusion
-  // over `time` squared edge lengths of an equilateral mesh
+  // takes the pull on each face and, where it is not 0, its fixed value; a step takes as long as
+  // diffusion over `time` squared edge lengths of an equilateral mesh
   Field_diffusion(const Face_connection& connection, std::vector<Complex> pulls,
                   std::vector<Complex> fixed, double time)
     : m_connection(&connection), m_pull(std::move(pulls)), m_value(std::move(fixed)),

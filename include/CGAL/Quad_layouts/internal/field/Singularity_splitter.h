@@ -18,12 +18,13 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Spreads strong singularities over adjacent vertices. A vertex of index +2 has valence 2, one of +4 has no
-// line at all; smooth fields have them at sharp tips, where a coarse mesh offers a single vertex for several
-// singularities, and quads there would be slim or impossible.
+// Spreads strong singularities over adjacent vertices. A vertex of index +2 has valence 2, one of
+// +4 has no line at all; smooth fields have them at sharp tips, where a coarse mesh offers a
+// single vertex for several singularities, and quads there would be slim or impossible.
 //
-// A period jump that grows by one moves a quarter of index from one end of its edge to the other. Only moves that
-// lessen the sum of the squared indices are made: so the work ends, and all indices keep their sum.
+// A period jump that grows by one moves a quarter of index from one end of its edge to the other.
+// Only moves that lessen the sum of the squared indices are made: so the work ends, and all
+// indices keep their sum.
 class Singularity_splitter
 {
 public:
@@ -57,8 +58,8 @@ private:
   // valences 0, 1 and 2, and those of 8 and more
   bool is_strong(int v) const { return m_index[v] >= 2 || m_index[v] <= -4; }
 
-  // moves a quarter of the index of v to the neighbour where this helps most, and, of equals, turns the field
-  // least; returns false if it helps nowhere
+  // moves a quarter of the index of v to the neighbour where this helps most, and, of equals,
+  // turns the field least; returns false if it helps nowhere
   bool move_a_quarter(int v)
   {
     const int quarter = m_index[v] > 0 ? 1 : -1;
@@ -111,8 +112,8 @@ private:
     return true;
   }
 
-  // lessens the weighted squares of the rotations, jumps unchanged, by Gauss-Seidel steps; that energy is
-  // convex, so every step lessens it
+  // lessens the weighted squares of the rotations, jumps unchanged, by Gauss-Seidel steps; that
+  // energy is convex, so every step lessens it
   void relax(const std::vector<int>& faces)
   {
     constexpr int number_of_sweeps = 100;

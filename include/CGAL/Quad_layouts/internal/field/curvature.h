@@ -28,16 +28,18 @@ inline double dihedral_angle(const Triangle_surface& surface, int h)
   return std::atan2(n.cross(m).dot(surface.vector(h).normalized()), n.dot(m));
 }
 
-// The directions of principal curvature, as *pulls* on the crosses of the faces: complex numbers whose argument is four
-// times the angle of the direction, and whose absolute value says how strongly the face has it.
+// The directions of principal curvature, as *pulls* on the crosses of the faces: complex numbers
+// whose argument is four times the angle of the direction, and whose absolute value says how
+// strongly the face has it.
 //
-// The curvature of a mesh sits on its edges (Cohen-Steiner and Morvan 2003). An edge of length l, direction phi and
-// dihedral angle beta gives each of its faces half of beta l e^(2 i phi); the sum D of a face is the trace-free part of
-// its shape operator, |D| being the area times the difference of the principal curvatures. This is exact on prisms and
-// cylinders however thin their triangles are. The pull is D^2 / area: it has no unit, and does not fade in finer meshes.
+// The curvature of a mesh sits on its edges (Cohen-Steiner and Morvan 2003). An edge of length l,
+// direction phi and dihedral angle beta gives each of its faces half of beta l e^(2 i phi); the
+// sum D of a face is the trace-free part of its shape operator, |D| being the area times the
+// difference of the principal curvatures. This is exact on prisms and cylinders however thin
+// their triangles are. The pull is D^2 / area: it has no unit, and does not fade in finer meshes.
 //
-// A crease is a direction by itself, not a sample of a smooth curvature: in the corner of a cube two creases
-// support the same cross, but would cancel in D. So creases are squared one by one.
+// A crease is a direction by itself, not a sample of a smooth curvature: in the corner of a cube
+// two creases support the same cross, but would cancel in D. So creases are squared one by one.
 class Curvature_pulls
 {
 public:
@@ -58,8 +60,8 @@ public:
       m_pull[f] = (m_pull[f] + smooth[f] * smooth[f]) / connection.area(int(f));
   }
 
-  // the pulls times `weight`. That on one face is bounded, lest single edges of a noisy surface hold the
-  // field against all their surroundings.
+  // the pulls times `weight`. That on one face is bounded, lest single edges of a noisy surface
+  // hold the field against all their surroundings.
   std::vector<Complex> weighted(double weight) const
   {
     std::vector<Complex> result = m_pull;

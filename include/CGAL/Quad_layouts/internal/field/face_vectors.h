@@ -38,13 +38,14 @@ std::vector<Eigen::Vector3d> read_face_vectors(const TriangleMesh& tm, FaceVecto
 
 // nothing, if the pack has no map
 template <class TriangleMesh>
-std::vector<Eigen::Vector3d> read_face_vectors(const TriangleMesh&, const internal_np::Param_not_found&)
+std::vector<Eigen::Vector3d> read_face_vectors(const TriangleMesh&,
+                                               const internal_np::Param_not_found&)
 {
   return {};
 }
 
-// the angle in the frame of face f of the projection of `vector`; throws if there is none. `parameter` names
-// the origin of the vector in the message.
+// the angle in the frame of face f of the projection of `vector`; throws if there is none.
+// `parameter` names the origin of the vector in the message.
 inline double projected_angle(const Triangle_surface& surface, int f, const Eigen::Vector3d& vector,
                               const char* parameter)
 {

@@ -20,16 +20,17 @@ namespace internal {
 
 // How a field of directions in the faces goes on across the edges.
 //
-// The *period jump* of halfedge h is the integer p for which direction d of face(h) continues as direction
-// d + p of the face on the other side; the *rotation* of h is the angle by which the field then turns more
-// than the surface, theta' + p pi/2 - theta - transport(h). Both change their sign with the direction of h.
-// The matching is p mod 4; the index needs p and the angles.
+// The *period jump* of halfedge h is the integer p for which direction d of face(h) continues as
+// direction d + p of the face on the other side; the *rotation* of h is the angle by which the
+// field then turns more than the surface, theta' + p pi/2 - theta - transport(h). Both change
+// their sign with the direction of h. The matching is p mod 4; the index needs p and the angles.
 
 constexpr double right_angle = 1.57079632679489661923;
 
-// the period jumps that turn the field least. Each edge is rounded once, on its canonical halfedge, so the
-// two halfedges agree even if the field turns by an eighth of a turn.
-inline std::vector<int> principal_period_jumps(const Face_connection& connection, const std::vector<double>& angles)
+// the period jumps that turn the field least. Each edge is rounded once, on its canonical
+// halfedge, so the two halfedges agree even if the field turns by an eighth of a turn.
+inline std::vector<int> principal_period_jumps(const Face_connection& connection,
+                                               const std::vector<double>& angles)
 {
   const Triangle_surface& surface = connection.surface();
   std::vector<int> jumps(surface.number_of_halfedges(), 0);
@@ -51,8 +52,8 @@ inline double rotation(const Face_connection& connection, const std::vector<doub
   return angles[g] - angles[f] - connection.transport(h) + jumps[h] * right_angle;
 }
 
-// the index of vertex v in quarters. The angle defect of v and the rotations along
-// a loop around it sum to a multiple of pi/2 (the frames cancel); so only rounding errors are rounded away.
+// the index of vertex v in quarters. The angle defect of v and the rotations along a loop around
+// it sum to a multiple of pi/2 (the frames cancel); so only rounding errors are rounded away.
 inline int index(const Face_connection& connection, const std::vector<double>& angles,
                  const std::vector<int>& jumps, int v)
 {
@@ -66,9 +67,11 @@ inline int index(const Face_connection& connection, const std::vector<double>& a
   return int(std::lround(quarters));
 }
 
-// the indices of all vertices, 0 for isolated ones. The angle defects sum to 2 pi chi and rotations cancel in pairs, hence the
-// indices sum to 4 chi, for any angles and antisymmetric jumps.
-inline std::vector<int> indices(const Face_connection& connection, const std::vector<double>& angles,
+// the indices of all vertices, 0 for isolated ones. The angle defects sum to 2 pi chi and
+// rotations cancel in pairs, hence the indices sum to 4 chi, for any angles and antisymmetric
+// jumps.
+inline std::vector<int> indices(const Face_connection& connection,
+                                const std::vector<double>& angles,
                                 const std::vector<int>& jumps)
 {
   std::vector<int> result(connection.surface().number_of_vertices());

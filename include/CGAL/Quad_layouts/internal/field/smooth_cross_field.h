@@ -34,9 +34,6 @@ struct Cross_field_options
   int number_of_iterations = 40;
 };
 
-// a cross with direction `angle` as a number that the four directions share
-inline Complex representation(double angle) { return std::polar(1., 4 * angle); }
-
 // the cross field with the given angles and period jumps
 inline Cross_field make_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
                                     const Face_connection& connection, std::vector<double> angles,
@@ -61,22 +58,26 @@ inline Cross_field given_cross_field(const std::shared_ptr<const Triangle_surfac
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 
-// the representations of the directions of the faces with a vector, and 0 for those with a null vector
+// the representations of the directions of the faces with a vector, and 0 for those with a null
+// vector
 inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
                                           const std::vector<Eigen::Vector3d>& constraints)
 {
   std::vector<Complex> result(surface.number_of_faces());
   for (int f = 0; f < int(constraints.size()); ++f)
-    if (constraints[f] != Eigen::Vector3d::Zero())
-      result[f] = representation(projected_angle(surface, f, constraints[f], "face_constraint_map"));
+    if (constraints[f] != Eigen::Vector3d::Zero()) {
+      const double angle = projected_angle(surface, f, constraints[f], "face_constraint_map");
+      result[f] = std::polar(1., 4 * angle);
+    }
   return result;
 }
 
-// the angles, one of four each, of the crosses that diffusion makes of those of principal curvature; faces with
-// a fixed cross keep it
+// the angles, one of four each, of the crosses that diffusion makes of those of principal
+// curvature; faces with a fixed cross keep it
 inline std::vector<double> diffused_angles(const Face_connection& connection,
                                            const std::vector<Complex>& fixed,
-                                           const Cross_field_options& options, const Monitor& monitor)
+                                           const Cross_field_options& options,
+                                           const Monitor& monitor)
 {
   constexpr double converged = 1e-3;
   const Curvature_pulls pulls(connection);
@@ -94,7 +95,8 @@ inline std::vector<double> diffused_angles(const Face_connection& connection,
   return angles;
 }
 
-// a smooth cross field with the directions that `constraints` has; it is empty or has a vector per face
+// a smooth cross field with the directions that `constraints` has; it is empty or has a vector
+// per face
 inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
                                       const std::vector<Eigen::Vector3d>& constraints,
                                       const Cross_field_options& options, const Monitor& monitor)
