@@ -22,9 +22,11 @@ using Point = T_mesh::Point;
 // The four sides of a patch, counter-clockwise, each a list of halfedges.
 using Sides = std::array<std::vector<int>, 4>;
 
-// Makes a T-mesh in which each arc is a trace of its own. A node is marked as a singularity if the number of
-// corners around it is not that of a crossing or a T-joint; others are marked by `seeds`. Lengths are 1.
-inline T_mesh make_t_mesh(const std::vector<Point>& points, const std::vector<std::pair<int, int>>& arcs,
+// Makes a T-mesh in which each arc is a trace of its own. A node is marked as a singularity if the
+// number of corners around it is not that of a crossing or a T-joint; others are marked by `seeds`.
+// Lengths are 1.
+inline T_mesh make_t_mesh(const std::vector<Point>& points,
+                          const std::vector<std::pair<int, int>>& arcs,
                           const std::vector<Sides>& patches, const std::vector<int>& seeds = {})
 {
   T_mesh t;
@@ -101,7 +103,8 @@ inline T_mesh cube()
   return make_t_mesh(points, arcs, patches);
 }
 
-// A torus of m x n patches, each node a seed. Node j m + i; arc 2 (j m + i) along i, the next one along j.
+// A torus of m x n patches, each node a seed. Node j m + i; arc 2 (j m + i) along i, the next one
+// along j.
 inline T_mesh torus(int m, int n)
 {
   const double turn = 2 * 3.14159265358979323846;

@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-// Integer-grid maps made from a layout: the inverse of extraction. Each face of the layout is a rectangle of
-// triangles, whose vertices are then moved at random.
+// Integer-grid maps made from a layout: the inverse of extraction. Each face of the layout is a
+// rectangle of triangles, whose vertices are then moved at random.
 namespace synthetic {
 
 using CGAL::Quad_layouts::Integer_grid_map;
@@ -104,7 +104,8 @@ inline bool is_anchored(const Quad_layout& layout, int v)
   return layout.valence(v) != 4 || (v == 0 && layout.number_of_irregular_vertices() == 0);
 }
 
-// Cuts the squares of the grids of all faces at random diagonals. The chart of face f is that of its grid.
+// Cuts the squares of the grids of all faces at random diagonals. The chart of face f is that of
+// its grid.
 inline void add_triangles(Integer_grid_map& map, const Divided_layout& divided, int refinement,
                           std::mt19937& random)
 {
@@ -117,7 +118,8 @@ inline void add_triangles(Integer_grid_map& map, const Divided_layout& divided, 
       for (int k = 0; k < 3; ++k) {
         const auto [i, j] = corners[k];
         const int v = triangles.back()[k] = divided.vertex_in(f, i, j);
-        points[v] = point_in_face(layout, f, double(i) / divided.width(f), double(j) / divided.height(f));
+        points[v] = point_in_face(layout, f, double(i) / divided.width(f),
+                                  double(j) / divided.height(f));
         map.corner_coordinates.emplace_back(double(i) / refinement, double(j) / refinement);
       }
     };
@@ -135,7 +137,8 @@ inline void add_triangles(Integer_grid_map& map, const Divided_layout& divided, 
   connect_charts(map);
 }
 
-// Anchors the source of each side of a face: side k runs in direction k, along an edge of the surface.
+// Anchors the source of each side of a face: side k runs in direction k, along an edge of the
+// surface.
 inline void add_anchors(Integer_grid_map& map, const Divided_layout& divided)
 {
   const Quad_layout& layout = divided.layout();
@@ -152,7 +155,8 @@ inline void add_anchors(Integer_grid_map& map, const Divided_layout& divided)
   }
 }
 
-// Finds the corners through which the anchors' lines leave after their neighbours have moved a little.
+// Finds the corners through which the anchors' lines leave after their neighbours have moved a
+// little.
 inline void correct_anchors(Integer_grid_map& map)
 {
   const CGAL::Quad_layouts::internal::Line_tracer lines(map);

@@ -108,8 +108,9 @@ void check_grids(const T_mesh& t, const Quad_layout& layout)
         if (j + 1 < grid.height)
           BOOST_TEST(grid.square(i, j + 1) == (top ^ 1));
       }
+    const int corner = t.source(t.halfedge_of(p));
     if (!grid.squares.empty())
-      BOOST_TEST(layout.source(grid.square(0, 0)) == layout.node_vertex[t.source(t.halfedge_of(p))]);
+      BOOST_TEST(layout.source(grid.square(0, 0)) == layout.node_vertex[corner]);
   }
   BOOST_TEST(squares == layout.number_of_faces());
 }

@@ -27,27 +27,30 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-extracts the conforming quad layout that a quantization makes of a T-mesh (\cgalCite{lck-sqlrs-21}, Section 5).
+extracts the conforming quad layout that a quantization makes of a T-mesh (\cgalCite{lck-sqlrs-21},
+Section 5).
 
-A patch of positive width and height becomes a grid of unit squares. A patch of zero width identifies its two
-long sides at equal heights; arcs of length 0 become points. The quotient is a complex of squares without T-joints.
-Singularities that fall onto one point are merged to one layout vertex, whose index is the sum of theirs.
+A patch of positive width and height becomes a grid of unit squares. A patch of zero width
+identifies its two long sides at equal heights; arcs of length 0 become points. The quotient is a
+complex of squares without T-joints. Singularities that fall onto one point are merged to one layout
+vertex, whose index is the sum of theirs.
 
-The quotient need not be the surface: a loop of length 0 around a handle, or a ring of patches of zero width, changes the
-topology. It is checked that each component keeps its Euler characteristic, that no vertex is pinched, and that each
-vertex has the valence that its index asks for.
+The quotient need not be the surface: a loop of length 0 around a handle, or a ring of patches of
+zero width, changes the topology. It is checked that each component keeps its Euler characteristic,
+that no vertex is pinched, and that each vertex has the valence that its index asks for.
 
 The complexity is linear in the number of squares, up to sorting.
 
 \param t_mesh the T-mesh
 \param quantization its quantization
 
-\return the layout. Its vertices lie at nodes of the T-mesh where these have become vertices, else at points interpolated
-between them: a layout is combinatorial, the points serve to look at it.
+\return the layout. Its vertices lie at nodes of the T-mesh where these have become vertices, else
+at points interpolated between them: a layout is combinatorial, the points serve to look at it.
 
 \pre `quantization` has a length for each arc of `t_mesh`.
 
-\throw Stage_failure if lengths are negative or differ on opposite sides of a patch, or the quotient is not the surface.
+\throw Stage_failure if lengths are negative or differ on opposite sides of a patch, or the quotient
+is not the surface.
 
 \sa `quantize()`
 \sa `embed_quad_layout()`

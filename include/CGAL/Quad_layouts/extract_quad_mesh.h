@@ -43,13 +43,15 @@ inline void check_map(const Integer_grid_map& map, const Quad_layout& layout)
 
 extracts the quad mesh that an integer-grid map of a layout defines.
 
-Each edge of the layout is divided into equal parts, each face into a grid of quads. Grid points are found by following
-straight lines through the triangles of the map (Ebke, Bommes, Campen, Kobbelt 2013), from the anchors on and with exact
-predicates. Since the connectivity is known from the layout, nothing needs to be repaired; wherever two lines must meet,
-they are checked to meet exactly.
+Each edge of the layout is divided into equal parts, each face into a grid of quads. Grid points are
+found by following straight lines through the triangles of the map (Ebke, Bommes, Campen, Kobbelt
+2013), from the anchors on and with exact predicates. Since the connectivity is known from the
+layout, nothing needs to be repaired; wherever two lines must meet, they are checked to meet
+exactly.
 
-All edges of a chord have the same number of parts: their length in the map, or what comes closest to
-`target_edge_length`. It is raised where the mesh would have loops or several edges between two vertices.
+All edges of a chord have the same number of parts: their length in the map, or what comes closest
+to `target_edge_length`. It is raised where the mesh would have loops or several edges between two
+vertices.
 
 \tparam QuadMesh a model of `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -57,7 +59,8 @@ All edges of a chord have the same number of parts: their length in the map, or 
 \param map a valid map of a surface onto `layout`
 \param layout the layout
 \param out the mesh that the quads are added to
-\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among those listed below
+\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among those listed
+below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_edge_length}
@@ -68,27 +71,31 @@ All edges of a chord have the same number of parts: their length in the map, or 
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `out`}
     \cgalParamType{a class model of `WritablePropertyMap` with
-                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a three-dimensional
-                   point as value type}
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, out)`}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{a property map filled with the number of the patch of the layout that each quad belongs to}
+    \cgalParamDescription{a property map filled with the number of the patch of the layout that each
+                          quad belongs to}
     \cgalParamType{a class model of `WritablePropertyMap` with
-                   `boost::graph_traits<QuadMesh>::%face_descriptor` as key type and `int` as value type}
+                   `boost::graph_traits<QuadMesh>::%face_descriptor` as key type and `int` as value
+                   type}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_layout_node_map}
-    \cgalParamDescription{a property map that tells which vertices are corners of patches: where separatrices
-                          begin, end or cross}
+    \cgalParamDescription{a property map that tells which vertices are corners of patches: where
+                          separatrices begin, end or cross}
     \cgalParamType{a class model of `WritablePropertyMap` with
-                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `bool` as value type}
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `bool` as
+                   value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_layout_edge_map}
     \cgalParamDescription{a property map that tells which edges lie on separatrices}
     \cgalParamType{a class model of `WritablePropertyMap` with
-                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value type}
+                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
     \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -98,8 +105,8 @@ The time is linear in the number of quads and of triangles that their lines pass
 \pre `map` maps onto `layout`.
 
 \throw Invalid_parameter if `target_edge_length` is not positive and finite.
-\throw Stage_failure if the map is not valid or does not contain the layout, if a vertex has valence 1, or if there would be too many quads.
-        Nothing has been added to `out` then.
+\throw Stage_failure if the map is not valid or does not contain the layout, if a vertex has valence
+1, or if there would be too many quads. Nothing has been added to `out` then.
 
 \sa `embed_quad_layout()`
 \sa `smooth_quad_mesh()`
@@ -110,8 +117,10 @@ void extract_quad_mesh(const Integer_grid_map& map, const Quad_layout& layout, Q
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const double target = choose_parameter(get_parameter(np_out, internal_np::target_edge_length), 0.);
-  const bool has_target = !parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::target_edge_length_t>::value;
+  constexpr bool has_target =
+    !parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::target_edge_length_t>::value;
+  const double target =
+    choose_parameter(get_parameter(np_out, internal_np::target_edge_length), 0.);
   if (has_target && !(target > 0 && std::isfinite(target)))
     throw Invalid_parameter("target_edge_length is " + std::to_string(target)
                             + ", but must be positive and finite");
@@ -130,8 +139,9 @@ void extract_quad_mesh(const Integer_grid_map& map, const Quad_layout& layout, Q
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-returns the edges of a layout as curves on the surface: per edge of the layout a polyline from the source of its first halfedge
-to the target, with a vertex wherever the edge crosses one of the surface.
+returns the edges of a layout as curves on the surface: per edge of the layout a polyline from the
+source of its first halfedge to the target, with a vertex wherever the edge crosses one of the
+surface.
 
 \throw Stage_failure if the map is not valid or does not contain the layout.
 */
@@ -139,7 +149,8 @@ inline std::vector<std::vector<Quad_layout::Point>> layout_curves(const Integer_
                                                                   const Quad_layout& layout)
 {
   internal::check_map(map, layout);
-  return internal::Layout_tracer(map, layout, std::vector<int>(layout.number_of_chords, 1)).curves();
+  const std::vector<int> undivided(layout.number_of_chords, 1);
+  return internal::Layout_tracer(map, layout, undivided).curves();
 }
 
 } // namespace Quad_layouts

@@ -30,9 +30,10 @@ struct Quad_layout_measures
   int irregular_vertices = 0;  ///< those of a valence other than 4 (\#S)
   std::map<int, int> valences; ///< number of vertices of each valence that occurs
   int patches = 0;             ///< faces of the base complex (\#P)
-  int patches_floor = 0; ///< least number of patches that the irregular vertices allow: each is a corner of as
-                         ///< many patches as its valence, and a patch has four corners
-  int t_junctions = 0;   ///< ends of separatrices at regular vertices, and corners by which faces exceed four
+  int patches_floor = 0; ///< least number of patches that the irregular vertices allow: each is a
+                         ///< corner of as many patches as its valence, and a patch has four corners
+  int t_junctions = 0;   ///< ends of separatrices at regular vertices, and corners by which faces
+                         ///< exceed four
 
   int minimum_valence() const { return valences.empty() ? 0 : valences.begin()->first; }
   int maximum_valence() const { return valences.empty() ? 0 : valences.rbegin()->first; }

@@ -22,10 +22,10 @@ namespace internal {
 
 // The integer points and unit segments of the arcs of a quantized T-mesh.
 //
-// An arc of length q carries the points 0 to q, of which the first and the last are its nodes, and q
-// segments. Point n is node n for all nodes of the T-mesh, inner points of arcs follow. Segments are numbered along arcs;
-// segment s has two *half-segments*, 2s along the arc's first halfedge and 2s+1 against it, each of which belongs
-// to the patch on its left.
+// An arc of length q carries the points 0 to q, of which the first and the last are its nodes, and
+// q segments. Point n is node n for all nodes of the T-mesh, inner points of arcs follow. Segments
+// are numbered along arcs; segment s has two *half-segments*, 2s along the arc's first halfedge and
+// 2s+1 against it, each of which belongs to the patch on its left.
 class Arc_grid
 {
 public:
@@ -60,7 +60,8 @@ public:
     return m_t_mesh->face(2 * arc(half_segment) + half_segment % 2);
   }
 
-  // the half-segment on the other side of a flat patch that falls onto this one, -1 in other patches
+  // the half-segment on the other side of a flat patch that falls onto this one, -1 in other
+  // patches
   int across(int half_segment) const { return m_across[half_segment]; }
   // the half-segment of a patch that is not flat which this one, also of such a patch, is glued to
   int facing(int half_segment) const
@@ -117,8 +118,9 @@ private:
     const auto& side = m_sides[patch][k];
     const auto& other = m_sides[patch][k + 2];
     if (side.size() != other.size())
-      throw Stage_failure("layout: opposite sides of patch " + std::to_string(patch) + " have lengths "
-                          + std::to_string(side.size()) + " and " + std::to_string(other.size()));
+      throw Stage_failure("layout: opposite sides of patch " + std::to_string(patch)
+                          + " have lengths " + std::to_string(side.size()) + " and "
+                          + std::to_string(other.size()));
     if (!m_sides[patch][1 - k].empty())
       return;
     for (std::size_t i = 0; i < side.size(); ++i) {

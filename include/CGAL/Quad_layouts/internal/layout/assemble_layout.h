@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes halfedges of the sides of squares; square s becomes face s. Returns the halfedge of each side.
+// Makes halfedges of the sides of squares; square s becomes face s. Returns the halfedge of each
+// side.
 inline std::vector<int> assemble_halfedges(const Glued_squares& squares, Quad_layout& layout)
 {
   const int n = squares.number_of_sides();

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Returns the chords that are divided too little for a mesh structure without loops and multiple edges,
-// where an edge is known by its ends.
+// Returns the chords that are divided too little for a mesh structure without loops and multiple
+// edges, where an edge is known by its ends.
 inline std::vector<int> chords_in_conflict(const Divided_layout& divided)
 {
   const Quad_layout& layout = divided.layout();
@@ -51,8 +51,9 @@ inline std::vector<int> chords_in_conflict(const Divided_layout& divided)
   return result;
 }
 
-// Raises divisions until all quads have four different vertices and no two edges have the same ends. Three
-// parts per chord suffice, unless a vertex has valence 1: the quad beside it always has two equal corners.
+// Raises divisions until all quads have four different vertices and no two edges have the same
+// ends. Three parts per chord suffice, unless a vertex has valence 1: the quad beside it always has
+// two equal corners.
 inline void raise_to_simple(const Quad_layout& layout, std::vector<int>& divisions)
 {
   for (int v = 0; v < layout.number_of_vertices(); ++v)
@@ -67,8 +68,8 @@ inline void raise_to_simple(const Quad_layout& layout, std::vector<int>& divisio
   }
 }
 
-// Returns the number of parts that the edges of each chord are divided into for a quad mesh whose edges have
-// about the given length.
+// Returns the number of parts that the edges of each chord are divided into for a quad mesh whose
+// edges have about the given length.
 inline std::vector<int> chord_divisions(const Quad_layout& layout, double target_edge_length)
 {
   constexpr double most = 1 << 24;            // Divided_layout refuses such numbers

@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Returns the length that the layout edges of each arc have to cover together: that of the arc, and of the
-// arcs of length 0 in the quantization before and after it on its trace, half of these if they lie
-// between two longer ones.
+// Returns the length that the layout edges of each arc have to cover together: that of the arc, and
+// of the arcs of length 0 in the quantization before and after it on its trace, half of these if
+// they lie between two longer ones.
 inline std::vector<double> lengths_to_cover(const T_mesh& t, const Quad_layout& layout)
 {
   std::vector<double> result(t.number_of_edges(), 0);
@@ -46,9 +46,9 @@ inline std::vector<double> lengths_to_cover(const T_mesh& t, const Quad_layout& 
   return result;
 }
 
-// Fits a length to each chord, such that the edges of each arc together have the arc's length: linear
-// least squares, weakly drawn to equal lengths of the edges of one arc. Lengths that came out below a
-// quarter of what the chord's arcs have on average are raised to that.
+// Fits a length to each chord, such that the edges of each arc together have the arc's length:
+// linear least squares, weakly drawn to equal lengths of the edges of one arc. Lengths that came
+// out below a quarter of what the chord's arcs have on average are raised to that.
 inline std::vector<double> fit_chord_lengths(const T_mesh& t, const Quad_layout& layout)
 {
   constexpr double pull = 0.01, least = 0.25;
@@ -71,7 +71,8 @@ inline std::vector<double> fit_chord_lengths(const T_mesh& t, const Quad_layout&
   }
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::VectorXd length = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::VectorXd length = solver.solve(right);
   std::vector<double> result;
   for (int c = 0; c < n; ++c)
     result.push_back((std::max)(length[c], least * sum[c] / count[c]));

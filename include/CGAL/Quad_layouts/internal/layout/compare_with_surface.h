@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// This header decides if glued squares are the surface again, without asking why they are not: it counts
-// vertices, edges and faces of both, and does not use what `Fibre_loops` knows.
+// This header decides if glued squares are the surface again, without asking why they are not: it
+// counts vertices, edges and faces of both, and does not use what `Fibre_loops` knows.
 
 // Returns the vertex of the squares that each fibre has become, -1 if none, -2 if several.
 inline std::vector<int> vertex_of_fibres(const Fibres& fibres, const Glued_squares& squares)
@@ -85,16 +85,17 @@ inline std::vector<int> euler_characteristics(const Glued_squares& squares,
   std::vector<int> result(component.size(), 0);
   std::vector<char> counted(squares.number_of_vertices(), 0);
   for (int s = 0; s < squares.number_of_sides(); ++s) {
-    int& characteristic = result[component[squares.patch(s / 4)]];
-    characteristic += int(s % 4 == 0) - int(s < squares.opposite(s)) + int(!counted[squares.vertex(s)]);
+    const bool is_new_vertex = !counted[squares.vertex(s)];
     counted[squares.vertex(s)] = 1;
+    result[component[squares.patch(s / 4)]] +=
+      int(is_new_vertex) - int(s < squares.opposite(s)) + int(s % 4 == 0);
   }
   return result;
 }
 
-// Says how the squares differ from the surface, or nothing: one vertex per fibre, the valences that the
-// indices ask for, and the same Euler characteristic of each component. Neighbours in the T-mesh
-// remain neighbours or become one, so components cannot fall apart.
+// Says how the squares differ from the surface, or nothing: one vertex per fibre, the valences that
+// the indices ask for, and the same Euler characteristic of each component. Neighbours in the
+// T-mesh remain neighbours or become one, so components cannot fall apart.
 inline std::string difference_to_surface(const Fibres& fibres, const Glued_squares& squares)
 {
   const std::string reason = local_difference(fibres, squares);

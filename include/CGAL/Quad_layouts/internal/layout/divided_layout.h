@@ -21,10 +21,11 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A layout whose faces are divided into grids of quads: numbers for the vertices and the quads of the grids.
+// A layout whose faces are divided into grids of quads: numbers for the vertices and the quads of
+// the grids.
 //
-// Vertex v of the layout keeps its number; those inside edges follow, then those inside faces. In a face, x
-// runs along `halfedge_of(f)` from 0 to `width(f)`, y to the left of it.
+// Vertex v of the layout keeps its number; those inside edges follow, then those inside faces. In a
+// face, x runs along `halfedge_of(f)` from 0 to `width(f)`, y to the left of it.
 class Divided_layout
 {
 public:
@@ -47,7 +48,10 @@ public:
 
   const Quad_layout& layout() const { return *m_layout; }
   int number_of_vertices() const { return m_number_of_vertices; }
-  int parts(int halfedge) const { return m_divisions[m_layout->chord(Quad_layout::edge(halfedge))]; }
+  int parts(int halfedge) const
+  {
+    return m_divisions[m_layout->chord(Quad_layout::edge(halfedge))];
+  }
   int width(int f) const { return parts(m_layout->halfedge_of(f)); }
   int height(int f) const { return parts(m_layout->next(m_layout->halfedge_of(f))); }
 

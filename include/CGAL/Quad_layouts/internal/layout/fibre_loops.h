@@ -23,8 +23,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Shortest paths and loops in the graph of points and connections of one fibre. The length of a path is the
-// number of arcs behind its connections, because the fewer arcs a cut has, the stronger it is.
+// Shortest paths and loops in the graph of points and connections of one fibre. The length of a
+// path is the number of arcs behind its connections, because the fewer arcs a cut has, the stronger
+// it is.
 class Fibre_loops
 {
 public:
@@ -59,8 +60,9 @@ public:
     return result;
   }
 
-  // a basis of the loops that patches of zero size do not fill, with a shortest loop among them: the
-  // tree-cotree decomposition of Eppstein (2003) with the greedy choice of Erickson and Whittlesey (2005)
+  // a basis of the loops that patches of zero size do not fill, with a shortest loop among them:
+  // the tree-cotree decomposition of Eppstein (2003) with the greedy choice of Erickson and
+  // Whittlesey (2005)
   std::vector<std::vector<int>> unfilled_loops() const
   {
     std::vector<std::vector<int>> best;
@@ -117,14 +119,16 @@ private:
     return tree;
   }
 
-  // the connections outside both the tree and a tree of dual edges that cross the longest loops, ascending
+  // the connections outside both the tree and a tree of dual edges that cross the longest loops,
+  // ascending
   std::vector<Loop> generators(const Tree& paths) const
   {
     std::vector<Loop> candidates;
     for (std::size_t v = 0; v < m_incident.size(); ++v)
       for (const Neighbour& e : m_incident[v])
         if (paths.connection[v] != e.connection && paths.connection[e.point] != e.connection)
-          candidates.emplace_back(paths.distance[v] + e.length + paths.distance[e.point], e.connection);
+          candidates.emplace_back(paths.distance[v] + e.length + paths.distance[e.point],
+                                  e.connection);
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 
@@ -149,7 +153,8 @@ private:
   std::vector<int> connections_of_loop(const Tree& paths, int closing) const
   {
     const Zero_connection& c = m_fibres.connection(closing);
-    std::vector<int> from = path_to(paths, m_local.at(c.from)), to = path_to(paths, m_local.at(c.to));
+    std::vector<int> from = path_to(paths, m_local.at(c.from));
+    std::vector<int> to = path_to(paths, m_local.at(c.to));
     while (!from.empty() && !to.empty() && from.back() == to.back()) {
       from.pop_back();
       to.pop_back();

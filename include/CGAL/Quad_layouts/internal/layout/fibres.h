@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A line of zero length that joins two integer points: an arc of length 0, or a line straight through a
-// patch of zero extent at an integer height.
+// A line of zero length that joins two integer points: an arc of length 0, or a line straight
+// through a patch of zero extent at an integer height.
 struct Zero_connection
 {
   int from, to;             // points
@@ -28,9 +28,9 @@ struct Zero_connection
   int patch;                // -1 if it is an arc
 };
 
-// All that the quantization maps to one vertex of the quotient: points, the connections between them, and
-// patches of zero width and height. Its Euler characteristic is 1 if and only if it is contractible,
-// being a connected proper sub-complex of a surface.
+// All that the quantization maps to one vertex of the quotient: points, the connections between
+// them, and patches of zero width and height. Its Euler characteristic is 1 if and only if it is
+// contractible, being a connected proper sub-complex of a surface.
 struct Fibre
 {
   std::vector<int> points, connections, patches;
@@ -58,7 +58,8 @@ public:
   int fibre_of_point(int point) const { return m_fibre_of_point[point]; }
   const Zero_connection& connection(int c) const { return m_connections[c]; }
 
-  // the arcs that must all have length 0 for the connection to have length 0, few ones if there is a choice
+  // the arcs that must all have length 0 for the connection to have length 0, few ones if there is
+  // a choice
   std::vector<int> arcs(int connection) const
   {
     const Zero_connection& c = m_connections[connection];

@@ -15,12 +15,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The unit squares of all patches, glued along their sides: in patches along the inner grid lines, between
-// patches along segments of arcs, straight across flat patches. The result is always a closed oriented
-// manifold; it is the quotient of the surface if and only if each fibre has one vertex.
+// The unit squares of all patches, glued along their sides: in patches along the inner grid lines,
+// between patches along segments of arcs, straight across flat patches. The result is always a
+// closed oriented manifold; it is the quotient of the surface if and only if each fibre has one
+// vertex.
 //
-// Square s has the sides 4s (bottom), 4s+1 (right), 4s+2 (top), 4s+3 (left), counter-clockwise; square (i, j) of a
-// patch of width w is number `first_square(patch) + j w + i`. A side also stands for the corner where it begins.
+// Square s has the sides 4s (bottom), 4s+1 (right), 4s+2 (top), 4s+3 (left), counter-clockwise;
+// square (i, j) of a patch of width w is number `first_square(patch) + j w + i`. A side also stands
+// for the corner where it begins.
 class Glued_squares
 {
 public:
@@ -48,7 +50,8 @@ public:
   int patch(int square) const { return m_patch[square]; }
   // the half-segment that a side lies on, -1 for sides inside a patch
   int half_segment(int side) const { return m_half_segment[side]; }
-  // the side of a square that a half-segment falls onto, also across flat patches; none is in a flat ring
+  // the side of a square that a half-segment falls onto, also across flat patches; none is in a
+  // flat ring
   int side_on(int half_segment) const { return m_side[m_grid->facing(half_segment ^ 1)]; }
 
 private:

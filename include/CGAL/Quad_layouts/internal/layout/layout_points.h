@@ -44,9 +44,10 @@ inline std::vector<Point> points_on_arcs(const Arc_grid& grid)
   for (int s = 0, i = 0; s < grid.number_of_half_segments(); s += 2) {
     const int a = grid.arc(s), q = grid.length(a);
     i = s > 0 && grid.arc(s - 2) == a ? i + 1 : 0;
+    const Point& from = t.point(t.source(2 * a));
+    const Point& to = t.point(t.target(2 * a));
     if (i > 0)
-      result[grid.source(s)] = t.point(t.source(2 * a))
-                             + double(i) / q * (t.point(t.target(2 * a)) - t.point(t.source(2 * a)));
+      result[grid.source(s)] = from + double(i) / q * (to - from);
   }
   return result;
 }
@@ -69,13 +70,15 @@ inline void interpolate_inside(const Quad_layout::Grid& grid, Quad_layout& layou
   for (int j = 1; j < h; ++j)
     for (int i = 1; i < w; ++i) {
       const double x = double(i) / w, y = double(j) / h;
-      point(i, j) = (1 - y) * point(i, 0) + y * point(i, h) + (1 - x) * point(0, j) + x * point(w, j)
+      point(i, j) = (1 - y) * point(i, 0) + y * point(i, h)
+                  + (1 - x) * point(0, j) + x * point(w, j)
                   - (1 - x) * ((1 - y) * point(0, 0) + y * point(0, h))
                   - x * ((1 - y) * point(w, 0) + y * point(w, h));
     }
 }
 
-// Places the vertices: merged nodes at the central one of them, others where the T-mesh has them, or between.
+// Places the vertices: merged nodes at the central one of them, others where the T-mesh has them,
+// or between.
 inline void place_vertices(const Fibres& fibres, const std::vector<int>& vertex_of_fibre,
                            Quad_layout& layout)
 {

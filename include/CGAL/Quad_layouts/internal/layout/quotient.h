@@ -27,18 +27,23 @@ struct Merged_cluster
 {
   std::vector<int> nodes;       // ascending
   int index;                    // sum of the nodes' indices, in quarters
-  std::vector<int> tree_arcs;   // arcs of length 0 that join all nodes; positive ones separate some, unless
-                                // other zero connections join the same nodes
+  // arcs of length 0 that join all nodes; if positive they separate some, unless other zero
+  // connections join the same nodes
+  std::vector<int> tree_arcs;
 };
 
 // What a quantization makes of a T-mesh.
 struct Quotient_report
 {
-  bool valid = false;           // the quotient is the same surface, a cluster's vertex has valence 4 - index
-  std::string reason;           // of the first defect found
-  std::vector<std::vector<int>> cuts;     // per defect, arcs whose lengths must not all be 0; sorted, unique
-  std::vector<Merged_cluster> clusters;   // of all singularities and seeds, in ascending order of their first
-                                          // nodes, singletons included; filled for invalid quotients too
+  // the quotient is the same surface, and a cluster's vertex has valence 4 - index
+  bool valid = false;
+  // the first defect found
+  std::string reason;
+  // per defect, arcs whose lengths must not all be 0; sorted, unique
+  std::vector<std::vector<int>> cuts;
+  // of all singularities and seeds, in ascending order of their first nodes, singletons included;
+  // filled for invalid quotients too
+  std::vector<Merged_cluster> clusters;
 };
 
 template <class T>
@@ -136,8 +141,8 @@ inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
   }
 }
 
-// Examines the quotient complex that integer arc lengths define. Throws `Stage_failure` if lengths are negative or
-// differ on opposite sides of a patch. Expects a length per arc.
+// Examines the quotient complex that integer arc lengths define. Throws `Stage_failure` if lengths
+// are negative or differ on opposite sides of a patch. Expects a length per arc.
 inline Quotient_report examine_quotient(const T_mesh& t_mesh, const std::vector<int>& arc_length)
 {
   const Arc_grid grid(t_mesh, arc_length);

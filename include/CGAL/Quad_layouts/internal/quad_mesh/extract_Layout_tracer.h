@@ -23,8 +23,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Returns the distances, in an edge of integer length, of the ends of its parts from where it begins: equal parts, up
-// to rounding to what the map's coordinates can express, and the same from either end.
+// Returns the distances, in an edge of integer length, of the ends of its parts from where it
+// begins: equal parts, up to rounding to what the map's coordinates can express, and the same from
+// either end.
 inline std::vector<double> distances_of_parts(int length, int parts)
 {
   constexpr double unit = 1 << 24;
@@ -36,13 +37,15 @@ inline std::vector<double> distances_of_parts(int length, int parts)
 
 // Finds the edges of a layout in an integer-grid map.
 //
-// Lines are followed from the anchors on, breadth first over the edges of the layout. A vertex of the layout that is
-// reached again must be reached at the same place from the same side, exactly. So where this succeeds the layout is in the map.
+// Lines are followed from the anchors on, breadth first over the edges of the layout. A vertex of
+// the layout that is reached again must be reached at the same place from the same side, exactly.
+// So where this succeeds the layout is in the map.
 class Layout_tracer
 {
 public:
   // expects the number of parts that the edges of each chord are divided into
-  Layout_tracer(const Integer_grid_map& map, const Quad_layout& layout, const std::vector<int>& divisions)
+  Layout_tracer(const Integer_grid_map& map, const Quad_layout& layout,
+                const std::vector<int>& divisions)
     : m_lines(map), m_map(map), m_layout(layout), m_start(layout.number_of_halfedges()),
       m_stops(layout.number_of_edges()), m_curves(layout.number_of_edges())
   {
@@ -69,7 +72,8 @@ public:
 
   // where a halfedge begins
   const Map_heading& start(int halfedge) const { return m_start[halfedge]; }
-  // the heading along a halfedge after its first k parts, k positive and less than the number of parts
+  // the heading along a halfedge after its first k parts, k positive and less than the number of
+  // parts
   Map_heading stop(int halfedge, int k) const
   {
     const auto& stops = m_stops[Quad_layout::edge(halfedge)];
@@ -110,8 +114,8 @@ private:
     return end;
   }
 
-  // turns what was found against an edge's direction into that direction; the end has no counterpart, so the last
-  // stop is a filler that makes positions equal
+  // turns what was found against an edge's direction into that direction; the end has no
+  // counterpart, so the last stop is a filler that makes positions equal
   static void reverse(std::vector<Map_heading>& stops, std::vector<Eigen::Vector3d>& curve)
   {
     std::reverse(stops.begin(), stops.end() - 1);
@@ -143,8 +147,9 @@ private:
 
   [[noreturn]] void fail(const std::string& what, int h) const
   {
-    throw Stage_failure("quad mesh: " + what + " layout edge " + std::to_string(Quad_layout::edge(h))
-                        + " (from vertex " + std::to_string(m_layout.source(h)) + " to "
+    throw Stage_failure("quad mesh: " + what + " layout edge "
+                        + std::to_string(Quad_layout::edge(h)) + " (from vertex "
+                        + std::to_string(m_layout.source(h)) + " to "
                         + std::to_string(m_layout.target(h)) + ")");
   }
 

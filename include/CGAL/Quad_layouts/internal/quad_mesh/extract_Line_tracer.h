@@ -21,7 +21,7 @@ namespace internal {
 struct Map_heading
 {
   int face = -1;                      // of the surface; -1 if there is no such place
-  Integer_grid_map::Point_2 position; // in the chart of the face
+  Integer_grid_map::Point_2 position = Integer_grid_map::Point_2::Zero();   // in the face's chart
   int direction = 0;
 
   bool is_valid() const { return face >= 0; }
@@ -38,8 +38,9 @@ struct Map_heading
 
 // Follows axis-parallel lines through an integer-grid map.
 //
-// All decisions are exact: lines are compared with vertices by a coordinate, points with edges by an exact
-// predicate. A vertex exactly on a line counts as lying to the right of it, as if the line were moved to the left by an infinitesimal.
+// All decisions are exact: lines are compared with vertices by a coordinate, points with edges by
+// an exact predicate. A vertex exactly on a line counts as lying to the right of it, as if the line
+// were moved to the left by an infinitesimal.
 class Line_tracer
 {
 public:
@@ -51,8 +52,9 @@ public:
   {
   }
 
-  // the same heading seen from the face that the line runs into; unique, so that headings from different
-  // faces can be compared. At a vertex it is the first one counter-clockwise from the given face.
+  // the same heading seen from the face that the line runs into; unique, so that headings from
+  // different faces can be compared. At a vertex it is the first one counter-clockwise from the
+  // given face.
   Map_heading entered(const Map_heading& heading) const
   {
     for (int h = 3 * heading.face; h < 3 * heading.face + 3; ++h)
@@ -72,8 +74,9 @@ public:
     return {};
   }
 
-  // the headings at ascending positive distances from a start returned by `entered`; fewer if the line gets lost, which it
-  // does not in a valid map. Appends to `curve` where the line crosses edges.
+  // the headings at ascending positive distances from a start returned by `entered`; fewer if the
+  // line gets lost, which it does not in a valid map. Appends to `curve` where the line crosses
+  // edges.
   std::vector<Map_heading> follow(Map_heading line, const std::vector<double>& distances,
                                   std::vector<Eigen::Vector3d>* curve = nullptr) const
   {
@@ -112,7 +115,8 @@ public:
 private:
   static Point_2 ahead(const Map_heading& line, double distance)
   {
-    return line.position + Integer_grid_map::Transition::turned(Point_2(distance, 0), line.direction);
+    const Point_2 forward(distance, 0);
+    return line.position + Integer_grid_map::Transition::turned(forward, line.direction);
   }
 
   // appends what of the line lies in its present face, which it leaves through h
@@ -173,8 +177,9 @@ private:
             (line.direction + t.quarter_turns) & 3};
   }
 
-  // turns counter-clockwise from the corner h until the line leaves through the edge opposite the vertex. The
-  // first corner is tried again in the end: at a vertex of valence 2 the line may have turned into it.
+  // turns counter-clockwise from the corner h until the line leaves through the edge opposite the
+  // vertex. The first corner is tried again in the end: at a vertex of valence 2 the line may have
+  // turned into it.
   Map_heading entered_at_vertex(Map_heading heading, int h) const
   {
     const int first = h;
@@ -192,7 +197,7 @@ private:
   Eigen::Vector3d crossing_point(int h, const Map_heading& line) const
   {
     const Surface& s = m_map.surface();
-    const int across = line.direction % 2 == 0 ? 1 : 0;       // the coordinate that is constant on the line
+    const int across = 1 - line.direction % 2;      // the coordinate that is constant on the line
     const double a = m_map.coordinates(h)[across], b = m_map.coordinates(Surface::next(h))[across];
     const double t = (line.position[across] - a) / (b - a);
     return (1 - t) * s.point(s.source(h)) + t * s.point(s.target(h));

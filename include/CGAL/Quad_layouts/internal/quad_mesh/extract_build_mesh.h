@@ -17,7 +17,7 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -33,7 +33,8 @@ struct No_map
   }
 };
 
-// Says which vertices of the layout are corners of patches: those where not just one separatrix passes.
+// Says which vertices of the layout are corners of patches: those where not just one separatrix
+// passes.
 inline std::vector<char> layout_nodes(const Quad_layout& layout)
 {
   std::vector<int> separatrices(layout.number_of_vertices(), 0);
@@ -57,16 +58,17 @@ void mark_layout_edges(const Divided_layout& divided, const std::vector<VertexDe
     put(is_layout_edge, e, false);
   const Quad_layout& layout = divided.layout();
   for (int e = 0; e < layout.number_of_edges(); ++e)
-    for (int k = 0; layout.is_on_separatrix(e) && k < divided.parts(2 * e); ++k)
-      put(is_layout_edge,
-          edge(vertices[divided.vertex_on(2 * e, k)], vertices[divided.vertex_on(2 * e, k + 1)], mesh).first,
-          true);
+    for (int k = 0; layout.is_on_separatrix(e) && k < divided.parts(2 * e); ++k) {
+      const VertexDescriptor source = vertices[divided.vertex_on(2 * e, k)];
+      const VertexDescriptor target = vertices[divided.vertex_on(2 * e, k + 1)];
+      put(is_layout_edge, edge(source, target, mesh).first, true);
+    }
 }
 
 // Adds the quads of a divided layout to a mesh, and fills the user's property maps.
 template <class QuadMesh, class NamedParameters>
-void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d>& points, QuadMesh& mesh,
-                const NamedParameters& np)
+void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d>& points,
+                QuadMesh& mesh, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -75,7 +77,10 @@ void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d
                                           get_property_map(CGAL::vertex_point, mesh));
   using Point_3 = typename boost::property_traits<decltype(point_map)>::value_type;
   const auto patch_map = choose_parameter(get_parameter(np, internal_np::face_patch), No_map());
-  const auto node_map = choose_parameter(get_parameter(np, internal_np::vertex_is_layout_node_map), No_map());
+  const auto node_map =
+    choose_parameter(get_parameter(np, internal_np::vertex_is_layout_node_map), No_map());
+  const auto edge_map =
+    choose_parameter(get_parameter(np, internal_np::edge_is_layout_edge_map), No_map());
 
   const Quad_layout& layout = divided.layout();
   const std::vector<char> is_node = layout_nodes(layout);
@@ -92,8 +97,8 @@ void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d
     CGAL_assertion(face != boost::graph_traits<QuadMesh>::null_face());
     put(patch_map, face, layout.patch(f));
   });
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::edge_is_layout_edge_map_t>::value)
-    mark_layout_edges(divided, vertices, mesh, get_parameter(np, internal_np::edge_is_layout_edge_map));
+  if constexpr (!std::is_same_v<std::decay_t<decltype(edge_map)>, No_map>)
+    mark_layout_edges(divided, vertices, mesh, edge_map);
 }
 
 } // namespace internal

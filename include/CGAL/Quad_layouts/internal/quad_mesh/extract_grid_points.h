@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Follows the grid lines of a face from the lower to the upper side, where they must arrive exactly.
+// Follows the grid lines of a face from the lower to the upper side, where they must arrive
+// exactly.
 inline void locate_inside_face(const Layout_tracer& tracer, const Divided_layout& divided, int f,
                                std::vector<Map_heading>& location)
 {
@@ -41,7 +42,8 @@ inline void locate_inside_face(const Layout_tracer& tracer, const Divided_layout
 }
 
 // Returns where in the map each vertex of the divided layout lies.
-inline std::vector<Map_heading> locate_grid(const Layout_tracer& tracer, const Divided_layout& divided)
+inline std::vector<Map_heading> locate_grid(const Layout_tracer& tracer,
+                                            const Divided_layout& divided)
 {
   const Quad_layout& layout = divided.layout();
   std::vector<Map_heading> location(divided.number_of_vertices());
@@ -56,7 +58,8 @@ inline std::vector<Map_heading> locate_grid(const Layout_tracer& tracer, const D
 }
 
 // Returns the points of the surface that the vertices of the divided layout are.
-inline std::vector<Eigen::Vector3d> grid_points(const Layout_tracer& tracer, const Divided_layout& divided)
+inline std::vector<Eigen::Vector3d> grid_points(const Layout_tracer& tracer,
+                                                const Divided_layout& divided)
 {
   std::vector<Eigen::Vector3d> result;
   for (const Map_heading& at : locate_grid(tracer, divided))
