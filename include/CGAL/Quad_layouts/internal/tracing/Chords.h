@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/internal/tracing/Interval_map.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <tuple>
 #include <utility>
@@ -292,7 +293,7 @@ private:
     const double determinant = u.cross(v).dot(n);
     const auto fraction = [&](double numerator) {
       const double s = numerator / determinant;
-      return s >= 0 && s <= 1 ? s : 0.5;
+      return std::isfinite(s) ? std::clamp(s, 0., 1.) : 0.5;
     };
     return {fraction((q - p).cross(v).dot(n)), fraction((q - p).cross(u).dot(n))};
   }
