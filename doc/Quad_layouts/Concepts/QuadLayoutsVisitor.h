@@ -5,7 +5,7 @@
 describes what the functions of this package tell while they work, and how they can be stopped. A
 visitor is passed by the named parameter `visitor`: by value, or as `std::ref(visitor)`.
 
-Stages are named `field`, `trace`, `quantize`, `extract`, `embed`, `quad_mesh` and `smooth`.
+A stage has the name of its function, such as `compute_cross_field`.
 
 \cgalHasModel `CGAL::Quad_layouts::Default_visitor`
 */
