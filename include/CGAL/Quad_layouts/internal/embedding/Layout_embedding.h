@@ -110,11 +110,10 @@ public:
       is_cone[c.vertex] = 1;
     const Map start = make_map(m_mesh, is_cone, m_unit);
     Integer_grid_map best;
-    for (const int size : {8000, 12000, 5000, 18000}) {
+    constexpr Solution_attempt attempts[] = {{4000, 0.5}, {7000, 0.3}, {3000, 0.1}, {12000, 0.1}, {18000, 0.1}};
+    for (const auto& [size, haste] : attempts) {
       Map map = start;
-      const int coarse_faces = size + 40 * int(m_cones.size());
-      const bool solved = solve_coarse_to_fine(map, m_cones, coarse_faces, m_monitor);
-      if (!solved)
+      if (!solve_coarse_to_fine(map, m_cones, {size + 40 * int(m_cones.size()), haste}, m_monitor))
         continue;
       best = to_integer_grid_map(m_mesh, map, m_chord_length);
       check(best, m_cones);

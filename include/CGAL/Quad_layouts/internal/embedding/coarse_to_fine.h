@@ -46,18 +46,25 @@ inline bool restore_all(Map& map, Vertex_removal& levels, const Monitor& monitor
   return true;
 }
 
-// Solves for a map on a simplified mesh of about `coarse_faces` triangles, then refines it. Returns whether it
+// How to look for a valid map.
+struct Solution_attempt
+{
+  int coarse_faces;     // number of triangles of the mesh to solve on
+  double haste;         // see `untangle`
+};
+
+// Solves for a map on a simplified mesh of about `attempt.coarse_faces` triangles, then refines it. Returns whether it
 // succeeded; if not, the coordinates are of no use.
 //
 // The difficulty of finding a valid map grows with the number of triangles, that of refining one does not.
-inline bool solve_coarse_to_fine(Map& map, const std::vector<Cone>& cones, int coarse_faces,
+inline bool solve_coarse_to_fine(Map& map, const std::vector<Cone>& cones, const Solution_attempt& attempt,
                                  const Monitor& monitor)
 {
-  constexpr int max_steps = 150, sweeps = 4;
+  constexpr int sweeps = 4;
   Vertex_removal levels(map, cones);
-  levels.simplify(coarse_faces);
+  levels.simplify(attempt.coarse_faces);
   Map coarse = levels.coarse_map();
-  if (!solve_map(coarse, cones, max_steps, monitor))
+  if (!solve_map(coarse, cones, attempt.haste, monitor))
     return false;
   map.coordinates = std::move(coarse.coordinates);
   if (!restore_all(map, levels, monitor))

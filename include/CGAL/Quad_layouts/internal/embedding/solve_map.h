@@ -71,9 +71,11 @@ private:
 };
 
 // Makes all triangles positive by minimizing the regularized distortion for falling epsilon (Garanzha et al. 2021).
-// Several steps per epsilon are essential: with one, folded tubes lock. Returns whether it succeeded.
-inline bool untangle(Newton& newton, int max_steps, const Monitor& monitor)
+// Several steps per epsilon are essential: with one, folded tubes lock. `haste`, between 0 and 1, is how much less of a chi
+// the worst triangle is allowed from one epsilon to the next. Returns whether it succeeded.
+inline bool untangle(Newton& newton, double haste, const Monitor& monitor)
 {
+  constexpr int max_steps = 150;
   double epsilon = 1;
   for (int steps = 0; steps < max_steps;) {
     const Distortion_energy energy(epsilon);
@@ -88,7 +90,7 @@ inline bool untangle(Newton& newton, int max_steps, const Monitor& monitor)
     const double least = newton.least_determinant();
     if (least > 0)
       return true;
-    const double mu = (1 - (std::max)(decrease, 0.1)) * Distortion::chi(least, epsilon);
+    const double mu = (1 - (std::max)(decrease, haste)) * Distortion::chi(least, epsilon);
     if (least < mu)
       epsilon = 2 * std::sqrt(mu * (mu - least));
     else
@@ -122,7 +124,7 @@ inline std::vector<std::vector<int>> stars(const Map& map)
 
 // Finds coordinates for all vertices such that no triangle is inverted and the angle sum is right everywhere, starting
 // from the target directions alone. Returns whether it succeeded.
-inline bool solve_map(Map& map, const std::vector<Cone>& cones, int max_steps, const Monitor& monitor)
+inline bool solve_map(Map& map, const std::vector<Cone>& cones, double haste, const Monitor& monitor)
 {
   const auto star = stars(map);
   std::vector<char> is_cone(map.points.size(), 0);
@@ -140,7 +142,7 @@ inline bool solve_map(Map& map, const std::vector<Cone>& cones, int max_steps, c
   Newton with_rings(map, is_fixed);
   const Alignment_energy alignment(map);
   with_rings.step(alignment, with_rings.value(alignment));
-  if (!untangle(with_rings, max_steps, monitor))
+  if (!untangle(with_rings, haste, monitor))
     return false;
   Newton free(map, is_cone);
   relax(free, 50, monitor);
