@@ -34,24 +34,25 @@ int violations(int n, Predicate&& holds)
 
 inline int euler_characteristic(const T_mesh::Surface& surface)
 {
-  const int isolated = violations(surface.number_of_vertices(), [&](int v) { return surface.halfedge(v) >= 0; });
-  return surface.number_of_vertices() - isolated - surface.number_of_edges() + surface.number_of_faces();
+  const int nv = surface.number_of_vertices();
+  const int isolated = violations(nv, [&](int v) { return surface.halfedge(v) >= 0; });
+  return nv - isolated - surface.number_of_edges() + surface.number_of_faces();
 }
 
 inline void check_halfedge_complex(const Halfedge_complex& c)
 {
-  const int nh = c.number_of_halfedges();
+  const int nh = c.number_of_halfedges(), nv = c.number_of_vertices(), nf = c.number_of_faces();
   BOOST_TEST_REQUIRE(int(c.halfedge_next.size()) == nh);
   BOOST_TEST_REQUIRE(int(c.halfedge_face.size()) == nh);
-  BOOST_TEST_REQUIRE(int(c.vertex_point.size()) == c.number_of_vertices());
+  BOOST_TEST_REQUIRE(int(c.vertex_point.size()) == nv);
   std::vector<int> arrivals(nh, 0);
   for (int next : c.halfedge_next)
     ++arrivals[next];
   BOOST_TEST(violations(nh, [&](int h) { return arrivals[h] == 1; }) == 0);
   BOOST_TEST(violations(nh, [&](int h) { return c.source(c.next(h)) == c.target(h); }) == 0);
   BOOST_TEST(violations(nh, [&](int h) { return c.face(c.next(h)) == c.face(h); }) == 0);
-  BOOST_TEST(violations(c.number_of_vertices(), [&](int v) { return c.source(c.halfedge_from(v)) == v; }) == 0);
-  BOOST_TEST(violations(c.number_of_faces(), [&](int f) { return c.face(c.halfedge_of(f)) == f; }) == 0);
+  BOOST_TEST(violations(nv, [&](int v) { return c.source(c.halfedge_from(v)) == v; }) == 0);
+  BOOST_TEST(violations(nf, [&](int f) { return c.face(c.halfedge_of(f)) == f; }) == 0);
 }
 
 // returns the halfedges that leave v, counter-clockwise, from halfedge_from(v)
@@ -67,7 +68,8 @@ inline std::vector<int> outgoing(const Halfedge_complex& c, int v)
   return result;
 }
 
-// returns the quarter-turns around node n: a patch has one at a corner, two where its side goes straight on
+// returns the quarter-turns around node n: a patch has one at a corner, two where its side goes
+// straight on
 inline int quarter_turns(const T_mesh& t, int n)
 {
   int sum = 0;
@@ -78,25 +80,27 @@ inline int quarter_turns(const T_mesh& t, int n)
 
 inline void check_patches(const T_mesh& t)
 {
-  std::vector<int> corners(t.number_of_faces(), 0);
+  const int np = t.number_of_faces();
+  std::vector<int> corners(np, 0);
   std::vector<char> follows_corner(t.number_of_halfedges(), 0);
   for (int h = 0; h < t.number_of_halfedges(); ++h) {
     corners[t.face(h)] += t.is_corner(h);
     follows_corner[t.next(h)] = t.is_corner(h);
   }
-  BOOST_TEST(violations(t.number_of_faces(), [&](int p) { return corners[p] == 4; }) == 0);
-  BOOST_TEST(violations(t.number_of_faces(), [&](int p) { return follows_corner[t.halfedge_of(p)] != 0; }) == 0);
+  BOOST_TEST(violations(np, [&](int p) { return corners[p] == 4; }) == 0);
+  BOOST_TEST(violations(np, [&](int p) { return follows_corner[t.halfedge_of(p)] != 0; }) == 0);
   BOOST_TEST(t.euler_characteristic() == euler_characteristic(t.surface()));
 }
 
 inline void check_nodes(const T_mesh& t)
 {
+  const int nodes = t.number_of_vertices();
   int index_sum = 0;
-  for (int n = 0; n < t.number_of_vertices(); ++n)
+  for (int n = 0; n < nodes; ++n)
     index_sum += t.index(n);
   BOOST_TEST(index_sum == 4 * euler_characteristic(t.surface()));
-  BOOST_TEST(violations(t.number_of_vertices(), [&](int n) { return quarter_turns(t, n) == 4 - t.index(n); }) == 0);
-  BOOST_TEST(violations(t.number_of_vertices(), [&](int n) {
+  BOOST_TEST(violations(nodes, [&](int n) { return quarter_turns(t, n) == 4 - t.index(n); }) == 0);
+  BOOST_TEST(violations(nodes, [&](int n) {
     return t.node_visits[n].size() == (t.is_singularity_or_seed(n) ? 0u : 2u);
   }) == 0);
 }
@@ -115,7 +119,9 @@ inline void check_trace(const T_mesh& t, int i)
   BOOST_TEST(t.source(2 * arcs.front()) == t.traces[i].start);
   BOOST_TEST(t.is_singularity_or_seed(t.traces[i].start));
   const int last = int(arcs.size()) - 1;
-  BOOST_TEST(violations(last, [&](int k) { return straight_on(t, 2 * arcs[k]) == 2 * arcs[k + 1]; }) == 0);
+  BOOST_TEST(violations(last, [&](int k) {
+    return straight_on(t, 2 * arcs[k]) == 2 * arcs[k + 1];
+  }) == 0);
   BOOST_TEST(violations(last + 1, [&](int k) { return t.trace(arcs[k]) == i; }) == 0);
   const T_mesh::Visit end = t.node_visits[t.target(2 * arcs.back())][1];
   BOOST_TEST(end.trace == i);
@@ -189,16 +195,19 @@ inline bool leaves_through_corners(const T_mesh& t, int n)
   t.surface().for_each_outgoing(t.surface_vertex(n), [&](int h) {
     in_corners.insert(in_corners.end(), t.corner_arcs[h].begin(), t.corner_arcs[h].end());
   });
-  const auto first = std::find(around.begin(), around.end(), in_corners.empty() ? -1 : in_corners.front());
+  if (in_corners.empty())
+    return false;
+  const auto first = std::find(around.begin(), around.end(), in_corners.front());
   std::rotate(around.begin(), first, around.end());
   return in_corners == around;
 }
 
 inline void check_position_on_surface(const T_mesh& t)
 {
+  const int faces = t.surface().number_of_faces();
   BOOST_TEST_REQUIRE(int(t.edge_crossings.size()) == t.surface().number_of_edges());
   BOOST_TEST_REQUIRE(int(t.corner_arcs.size()) == t.surface().number_of_halfedges());
-  BOOST_TEST(violations(t.surface().number_of_faces(), [&](int f) { return is_closed_walk(t, f); }) == 0);
+  BOOST_TEST(violations(faces, [&](int f) { return is_closed_walk(t, f); }) == 0);
   BOOST_TEST(violations(t.number_of_vertices(), [&](int n) {
     return !t.is_singularity_or_seed(n) || leaves_through_corners(t, n);
   }) == 0);

@@ -38,7 +38,8 @@ std::shared_ptr<const Surface> surface_of(const Mesh& mesh)
   return std::make_shared<const Surface>(QL::internal::make_triangle_surface(mesh, mesh.points()));
 }
 
-// the field with a direction in each face that is given as a function of the face's centre, turned by `angle(centre)`
+// the field with a direction in each face that is given as a function of the face's centre, turned
+// by `angle(centre)`
 template <class Direction, class Angle>
 QL::Cross_field field_along(const Mesh& mesh, Direction direction, Angle angle)
 {
@@ -88,11 +89,12 @@ Mesh double_pyramid(int n)
 
 int number_of_starts(const QL::T_mesh& t)
 {
-  return int(std::count_if(t.node_surface_vertex.begin(), t.node_surface_vertex.end(), [](int v) { return v >= 0; }));
+  const auto& vertices = t.node_surface_vertex;
+  return int(std::count_if(vertices.begin(), vertices.end(), [](int v) { return v >= 0; }));
 }
 
-// Replays the stopping rule on the finished T-mesh: says if trace i ends exactly where it has met an acceptable
-// candidate on both sides for the first time.
+// Replays the stopping rule on the finished T-mesh: says if trace i ends exactly where it has met
+// an acceptable candidate on both sides for the first time.
 bool ends_by_the_rule(const QL::T_mesh& t, int i, double tangent, double r)
 {
   bool left = false, right = false;
@@ -123,7 +125,8 @@ void check_stopping_rule(const QL::T_mesh& t, double alpha, double r)
 
 QL::T_mesh trace(const QL::Cross_field& field, double alpha, double r)
 {
-  const QL::T_mesh t = QL::trace_motorcycle_graph(field, parameters::maximum_deviation(alpha).maximum_displacement(r));
+  const QL::T_mesh t = QL::trace_motorcycle_graph(
+    field, parameters::maximum_deviation(alpha).maximum_displacement(r));
   invariants::check_t_mesh(t);
   return t;
 }
@@ -168,7 +171,8 @@ BOOST_AUTO_TEST_CASE(equal_lengths_are_ordered_by_trace)
   BOOST_TEST(!QL::internal::is_longer(1, 2, 1, 3));
 }
 
-// In each triangle and direction, a line further on leaves further back; and the reverse line comes back.
+// In each triangle and direction, a line further on leaves further back; and the reverse line comes
+// back.
 BOOST_AUTO_TEST_CASE(interval_map_is_monotone)
 {
   const QL::Cross_field field = random_field(generated::icosphere(1), 5);
@@ -197,14 +201,16 @@ BOOST_AUTO_TEST_CASE(cube_has_three_traces_from_each_corner)
   BOOST_TEST(number_of_starts(t) == 8);
   BOOST_TEST(t.traces.size() == 24u);
   BOOST_TEST(invariants::violations(8, [&](int n) { return t.index(n) == 1; }) == 0);
-  // a trace adds one arc, a crossing two, and each trace ends in a crossing; so there are twice as many arcs
+  // a trace adds one arc, a crossing two, and each trace ends in a crossing; so there are twice as
+  // many arcs
   BOOST_TEST(t.number_of_edges() == 2 * (t.number_of_vertices() - 8));
   check_stopping_rule(t, 15, 2);
 }
 
 BOOST_AUTO_TEST_CASE(torus_gets_one_seed)
 {
-  const QL::Cross_field field = field_along(generated::torus(20, 10), around_z, [](const Vector&) { return 0.1; });
+  const auto angle = [](const Vector&) { return 0.1; };
+  const QL::Cross_field field = field_along(generated::torus(20, 10), around_z, angle);
   BOOST_TEST_REQUIRE(field.number_of_singularities() == 0);
   const QL::T_mesh t = trace(field, 15, 2);
   BOOST_TEST(number_of_starts(t) == 1);
@@ -236,7 +242,8 @@ BOOST_AUTO_TEST_CASE(limit_cycles_end)
   }
 }
 
-// Circles around the apex of a pyramid have index 4 there: no line starts, and lines can spiral in forever.
+// Circles around the apex of a pyramid have index 4 there: no line starts, and lines can spiral in
+// forever.
 BOOST_AUTO_TEST_CASE(vertices_without_lines_share_their_index)
 {
   const Mesh mesh = double_pyramid(16);
@@ -245,7 +252,8 @@ BOOST_AUTO_TEST_CASE(vertices_without_lines_share_their_index)
     BOOST_TEST_REQUIRE(field.index(0) == 4);
     BOOST_TEST_REQUIRE(field.index(1) == 4);
     const QL::T_mesh t = trace(field, 15, 2);
-    BOOST_TEST(invariants::violations(t.number_of_vertices(), [&](int n) { return t.index(n) < 4; }) == 0);
+    const int nodes = t.number_of_vertices();
+    BOOST_TEST(invariants::violations(nodes, [&](int n) { return t.index(n) < 4; }) == 0);
   }
 }
 
@@ -259,13 +267,13 @@ BOOST_AUTO_TEST_CASE(traces_stop_by_the_rule)
 
 BOOST_AUTO_TEST_CASE(random_fields)
 {
-  const std::vector<Mesh> meshes = {generated::tetrahedron(), generated::icosphere(2), generated::torus(16, 8),
-                                    generated::slab_with_holes(2, 2),
+  const std::vector<Mesh> meshes = {generated::tetrahedron(), generated::icosphere(2),
+                                    generated::torus(16, 8), generated::slab_with_holes(2, 2),
                                     generated::noisy(generated::cube(6), 0.05, 1)};
   for (unsigned seed = 1; seed <= 40; ++seed) {
     std::mt19937 random(seed);
     const double alpha = 1 + random() % 88, r = random() % 5;
-    BOOST_TEST_CONTEXT("seed " << seed << ", maximum deviation " << alpha << ", maximum displacement " << r)
+    BOOST_TEST_CONTEXT("seed " << seed << ", deviation " << alpha << ", displacement " << r)
       trace(random_field(meshes[seed % meshes.size()], seed), alpha, r);
   }
 }
@@ -309,19 +317,23 @@ BOOST_AUTO_TEST_CASE(longer_target_edges_allow_more_displacement)
   const QL::Cross_field field = QL::compute_cross_field(generated::cube(6));
   const double diagonal = field.surface().diagonal();
   const QL::T_mesh a = QL::trace_motorcycle_graph(field, parameters::maximum_displacement(4));
-  const QL::T_mesh b = QL::trace_motorcycle_graph(field, parameters::target_edge_length(0.02 * diagonal));
+  const QL::T_mesh b =
+    QL::trace_motorcycle_graph(field, parameters::target_edge_length(0.02 * diagonal));
   BOOST_TEST((a.halfedge_next == b.halfedge_next));
 }
 
 BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused)
 {
   const QL::Cross_field field = QL::compute_cross_field(generated::cube(2));
+  const auto is_refused = [&](const auto& np) {
+    BOOST_CHECK_THROW(QL::trace_motorcycle_graph(field, np), QL::Invalid_parameter);
+  };
   for (double alpha : {0., 90., -1., std::nan("")})
-    BOOST_CHECK_THROW(QL::trace_motorcycle_graph(field, parameters::maximum_deviation(alpha)), QL::Invalid_parameter);
+    is_refused(parameters::maximum_deviation(alpha));
   for (double r : {-1., std::nan("")})
-    BOOST_CHECK_THROW(QL::trace_motorcycle_graph(field, parameters::maximum_displacement(r)), QL::Invalid_parameter);
+    is_refused(parameters::maximum_displacement(r));
   for (double h : {0., -1., std::nan("")})
-    BOOST_CHECK_THROW(QL::trace_motorcycle_graph(field, parameters::target_edge_length(h)), QL::Invalid_parameter);
+    is_refused(parameters::target_edge_length(h));
 }
 
 BOOST_AUTO_TEST_CASE(a_visitor_can_stop_the_work)
@@ -331,5 +343,6 @@ BOOST_AUTO_TEST_CASE(a_visitor_can_stop_the_work)
     bool go_on() { return false; }
   };
   const QL::Cross_field field = random_field(generated::icosphere(3), 1);
-  BOOST_CHECK_THROW(QL::trace_motorcycle_graph(field, parameters::visitor(Impatient())), QL::Cancelled);
+  BOOST_CHECK_THROW(QL::trace_motorcycle_graph(field, parameters::visitor(Impatient())),
+                    QL::Cancelled);
 }

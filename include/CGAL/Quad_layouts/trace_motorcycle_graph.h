@@ -42,24 +42,28 @@ inline void check_tracing_parameters(double maximum_deviation, double maximum_di
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-traces an extended motorcycle graph in a cross field: a partition of the surface into patches with four corners.
+traces an extended motorcycle graph in a cross field: a partition of the surface into patches with
+four corners.
 
-From every singularity of the field, motorcycles set out in all directions of the field, and all advance at the same speed.
-Unlike those of a motorcycle graph they pass the traces of others. A motorcycle stops at a trace when, there or before, it
-has met on its left and on its right the trace of a singularity to which a layout edge would be acceptable
-(\cgalCite{lck-sqlrs-21}, Sections 3.1 and 4.3): one that deviates from the field by at most `maximum_deviation`
-when both singularities are moved by up to `maximum_displacement`. So the result has a node wherever the quantization
-has to decide between layout edges.
+From every singularity of the field, motorcycles set out in all directions of the field, and all
+advance at the same speed. Unlike those of a motorcycle graph they pass the traces of others. A
+motorcycle stops at a trace when, there or before, it has met on its left and on its right the trace
+of a singularity to which a layout edge would be acceptable (\cgalCite{lck-sqlrs-21}, Sections 3.1
+and 4.3): one that deviates from the field by at most `maximum_deviation` when both singularities
+are moved by up to `maximum_displacement`. So the result has a node wherever the quantization has to
+decide between layout edges.
 
-Traces of one family can neither merge nor cross, because each triangle maps the sides through which lines enter
-monotonically to those through which they leave (Ray and Sokolov, <em>Robust polylines tracing for N-symmetry
-direction field on triangulated surfaces</em>, 2014); the order of traces along edges is kept explicitly, so rounding
-cannot change the partition. Traces around limit cycles end when they are many times as long as the surface is wide. A component
-without singularities gets a seed, a regular vertex from which four traces start.
+Traces of one family can neither merge nor cross, because each triangle maps the sides through which
+lines enter monotonically to those through which they leave (Ray and Sokolov, <em>Robust polylines
+tracing for N-symmetry direction field on triangulated surfaces</em>, 2014); the order of traces
+along edges is kept explicitly, so rounding cannot change the partition. Traces around limit cycles
+end when they are many times as long as the surface is wide. A component without singularities gets
+a seed, a regular vertex from which four traces start.
 
-Where the field turns too fast for its triangles, the index of a singularity may appear at a neighbor of its vertex, and
-vertices at which no line would start (index 4 and more) share their index with their neighbors. The indices in
-the T-mesh are those that the traces obey; their sum is four times the Euler characteristic.
+Where the field turns too fast for its triangles, the index of a singularity may appear at a
+neighbor of its vertex, and vertices at which no line would start (index 4 and more) share their
+index with their neighbors. The indices in the T-mesh are those that the traces obey; their sum is
+four times the Euler characteristic.
 
 @tparam NamedParameters a sequence of named parameters
 
@@ -68,8 +72,8 @@ the T-mesh are those that the traces obey; their sum is four times the Euler cha
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{maximum_deviation}
-    \cgalParamDescription{the angle, in degrees, by which layout edges may deviate from the field. Small angles give long
-                          traces and large T-meshes.}
+    \cgalParamDescription{the angle, in degrees, by which layout edges may deviate from the field.
+                          Small angles give long traces and large T-meshes.}
     \cgalParamType{double}
     \cgalParamDefault{`15`}
     \cgalParamExtra{It must be greater than 0 and less than 90.}
@@ -95,10 +99,12 @@ the T-mesh are those that the traces obey; their sum is four times the Euler cha
 \pre The surface of `field` is closed.
 
 \throw Invalid_parameter if a parameter is out of its range.
-\throw Stage_failure if the result is not a partition into discs with four corners; this is always checked.
+\throw Stage_failure if the result is not a partition into discs with four corners; this is
+       always checked.
 \throw Cancelled if the visitor asks to stop.
 
-The time is about linear in the number of triangles that all traces cross, plus the crossings of traces in them.
+The time is about linear in the number of triangles that all traces cross, plus the crossings of
+traces in them.
 */
 template <class NamedParameters = parameters::Default_named_parameters>
 T_mesh trace_motorcycle_graph(const Cross_field& field,
@@ -116,8 +122,9 @@ T_mesh trace_motorcycle_graph(const Cross_field& field,
   CGAL_precondition(field.surface().is_closed());
 
   const internal::Monitor monitor = internal::monitor_from(np);
-  return monitor.run("trace_motorcycle_graph",
-                     [&] { return internal::trace_in_field(field, std::tan(alpha * degree), r * h, monitor); });
+  return monitor.run("trace_motorcycle_graph", [&] {
+    return internal::trace_in_field(field, std::tan(alpha * degree), r * h, monitor);
+  });
 }
 
 } // namespace Quad_layouts

@@ -23,16 +23,18 @@ namespace internal {
 
 // All pieces of traces in all triangles, and their crossings.
 //
-// A *chord* is the piece of a trace in a triangle, between two places of the boundary: points on sides, or the
-// corner where the trace starts. Which chords cross, and in which order along a chord, follows from the order of
-// their ends around the triangle. The exit of a new chord is proposed by the interval map and then limited such that
+// A *chord* is the piece of a trace in a triangle, between two places of the boundary: points on
+// sides, or the corner where the trace starts. Which chords cross, and in which order along a
+// chord, follows from the order of their ends around the triangle. The exit of a new chord is
+// proposed by the interval map and then limited such that
 // - it crosses no chord of its own family, and
 // - direction d + 1 crosses direction d from right to left only.
 // The second rule keeps two traces from crossing twice in a row: no patch is a digon.
 class Chords
 {
 public:
-  // is an end of a chord: a point on `halfedge`, a side of the chord's face, or (point = -1) the source of `halfedge`
+  // is an end of a chord: a point on `halfedge`, a side of the chord's face, or (point = -1) the
+  // source of `halfedge`
   struct End
   {
     int halfedge;
@@ -93,8 +95,8 @@ public:
   // the side of crossing x (0 or 1) that belongs to chord c
   int side(int x, int c) const { return m_crossings[x].chord[0] == c ? 0 : 1; }
 
-  // the quarter-turns, 1 (from right to left) or 3 (from left to right), from the direction of chord c to that of the
-  // chord that it meets in crossing x
+  // the quarter-turns, 1 (from right to left) or 3 (from left to right), from the direction of
+  // chord c to that of the chord that it meets in crossing x
   int quarter_turns(int x, int c) const
   {
     const int other = m_crossings[x].chord[1 - side(x, c)];
@@ -117,7 +119,8 @@ public:
   }
 
 private:
-  // is a place on the boundary of a triangle; the sequence corner 0, side 0, corner 1, ... is counter-clockwise
+  // is a place on the boundary of a triangle; the sequence corner 0, side 0, corner 1, ... is
+  // counter-clockwise
   struct Place
   {
     int slot;                    // 2k: corner k, 2k + 1: side k
@@ -166,7 +169,8 @@ private:
   {
     if (c.from.point >= 0)
       return place(c.from);
-    return {2 * (c.from.halfedge % 3), c.direction == m_labels->start(c.from.halfedge, 0) ? 1u : 0u};
+    const int corner = c.from.halfedge;
+    return {2 * (corner % 3), c.direction == m_labels->start(corner, 0) ? 1u : 0u};
   }
   Place place_of_start(int c) const { return place_of_start(m_chords[c]); }
   // the end of the other chord that lies to the right of chord c, for a crossing x on chord c
@@ -188,7 +192,8 @@ private:
     return c;
   }
 
-  // is `place` on a side through which the chord can leave, or in the corner between two such sides?
+  // is `place` on a side through which the chord can leave, or in the corner between two such
+  // sides?
   bool is_on_exit(const Chord& c, const Place& place) const
   {
     const int h = 3 * c.face + place.slot / 2;
@@ -206,7 +211,7 @@ private:
   void choose_exit(Chord& c, Interval_map::Position proposal)
   {
     const Place from = place_of_start(c);
-    Limit first, last;               // counter-clockwise from the chord's begin, the exit lies between them
+    Limit first, last;    // the exit lies between them, counter-clockwise from the chord's begin
     for (int i : m_in_face[c.face]) {
       const Chord& d = m_chords[i];
       Limit a{true, place_of_start(d), d.from.point}, b{true, place(d.to), d.to.point};
@@ -215,23 +220,28 @@ private:
         continue;
       if (right)
         std::swap(a, b);
-      if (is_on_exit(c, a.place) && (!last.exists || counter_clockwise(from, a.place, last.place)))
+      if (is_on_exit(c, a.place)
+          && (!last.exists || counter_clockwise(from, a.place, last.place)))
         last = a;
-      if (is_on_exit(c, b.place) && (!first.exists || counter_clockwise(from, first.place, b.place)))
+      if (is_on_exit(c, b.place)
+          && (!first.exists || counter_clockwise(from, first.place, b.place)))
         first = b;
     }
-    CGAL_assertion(!first.exists || !last.exists || counter_clockwise(from, first.place, last.place));
+    CGAL_assertion(!first.exists || !last.exists
+                   || counter_clockwise(from, first.place, last.place));
     apply_limits(from, first, last, proposal);
     c.to = {proposal.halfedge, insert(proposal, first, last)};
   }
 
   // moves a proposed exit to the side of the triangle on which the limits allow one
-  static void apply_limits(const Place& from, const Limit& first, const Limit& last, Interval_map::Position& exit)
+  static void apply_limits(const Place& from, const Limit& first, const Limit& last,
+                           Interval_map::Position& exit)
   {
     const int face = Labels::Surface::face(exit.halfedge);
     const auto turned = [&](int slot) { return (slot - from.slot + 6) % 6; };
     const auto slot = [&] { return turned(2 * (exit.halfedge % 3) + 1); };
-    // a limit in a corner is followed by the side that begins there, and follows the side that ends there
+    // a limit in a corner is followed by the side that begins there, and follows the side that ends
+    // there
     if (first.exists && turned(first.place.slot) > slot())
       exit = {3 * face + first.place.slot / 2, 0};
     if (last.exists && turned(last.place.slot) < slot())
@@ -270,8 +280,8 @@ private:
     m_crossings[x].length[1] = insert_crossing(x, d, t);
   }
 
-  // puts crossing x into the list of chord c; returns its length there, proposed by a fraction of the chord
-  // and limited by the neighbours in the list
+  // puts crossing x into the list of chord c; returns its length there, proposed by a fraction of
+  // the chord and limited by the neighbours in the list
   double insert_crossing(int x, int c, double fraction)
   {
     Chord& chord = m_chords[c];

@@ -20,8 +20,9 @@ namespace internal {
 
 // The points at which traces cross the edges of the surface, in one ordered list per edge.
 //
-// Their order is combinatorial: a point is inserted between two others, and keeps its place. Parameters t along
-// the edge never decrease along the list, but may coincide: they only propose a place.
+// Their order is combinatorial: a point is inserted between two others, and keeps its place.
+// Parameters t along the edge only propose a place. They never decrease along the list, but coincide
+// where lines converge beyond the resolution of numbers.
 class Edge_order
 {
 public:
@@ -29,15 +30,16 @@ public:
 
   explicit Edge_order(int number_of_edges) : m_points(number_of_edges) {}
 
-  // adds a point to the list of `edge`, behind the point `after` and ahead of the point `before` (-1: none), between
-  // these by its parameter
+  // adds a point to the list of `edge`, behind the point `after` and ahead of the point `before`
+  // (-1: none), between these by its parameter
   int insert(int edge, double t, int after, int before)
   {
     auto& list = m_points[edge];
     const auto first = after < 0 ? list.begin() : locate(after) + 1;
     const auto last = before < 0 ? list.end() : locate(before);
     CGAL_assertion(first <= last);
-    const auto place = std::upper_bound(first, last, t, [&](double u, int p) { return u < m_t[p]; });
+    const auto place =
+      std::upper_bound(first, last, t, [&](double u, int p) { return u < m_t[p]; });
     const double low = place == list.begin() ? 0 : m_t[*(place - 1)];
     const double high = place == list.end() ? 1 : m_t[*place];
     const int point = int(m_t.size());
@@ -59,8 +61,8 @@ public:
   const std::vector<int>& points(int edge) const { return m_points[edge]; }
 
 private:
-  // moves t into the open interval from low to high, as far as numbers allow; chords that share an end have no clear
-  // crossing
+  // moves t into the open interval from low to high, as far as numbers allow; chords that share an
+  // end have no clear crossing
   static double strictly_between(double low, double t, double high)
   {
     constexpr double margin = 1. / 1024;

@@ -16,13 +16,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The way of lines through triangles, as a monotone and piecewise linear map of the sides that they enter
-// onto the sides that they leave (Ray and Sokolov, Robust polylines tracing for N-symmetry direction field on
-// triangulated surfaces, 2014). Monotone maps can neither merge nor cross lines of one family.
+// The way of lines through triangles, as a monotone and piecewise linear map of the sides that they
+// enter onto the sides that they leave (Ray and Sokolov, Robust polylines tracing for N-symmetry
+// direction field on triangulated surfaces, 2014). Monotone maps can neither merge nor cross lines
+// of one family.
 //
-// Of the three sides, the family of lines in a direction and in its reverse has a *base*, opposite an
-// *apex*. The line through the apex hits the base in the split point; what is left of it goes to the one
-// other side, what is right of it to the other.
+// Of the three sides, the family of lines in a direction and in its reverse has a *base*, opposite
+// an *apex*. The line through the apex hits the base in the split point; what is left of it goes to
+// the one other side, what is right of it to the other.
 class Interval_map
 {
 public:
@@ -33,7 +34,10 @@ public:
     double t;
   };
 
-  Interval_map(const Cross_field& field, const Labels& labels) : m_field(&field), m_labels(&labels) {}
+  Interval_map(const Cross_field& field, const Labels& labels)
+    : m_field(&field), m_labels(&labels)
+  {
+  }
 
   // the point where the line of `direction` that enters at `entry` leaves the face
   Position leave(Position entry, int direction) const
@@ -64,8 +68,8 @@ private:
     const int f = Labels::Surface::face(base);
     if (m_labels->base(f, direction + 1) != base)
       return hit(base, direction);
-    // Both families share the apex. Of two directions towards it the left one comes from further right,
-    // which is the larger t.
+    // Both families share the apex. Of two directions towards it the left one comes from further
+    // right, which is the larger t.
     const int right = (*m_labels)[base] + 2, left = right + 1;
     double of_right = hit(base, right), of_left = hit(base, left);
     if (of_left - of_right < gap) {
@@ -84,7 +88,8 @@ private:
     const auto corners = m_field->surface().planar_corners(f);
     const double angle = m_field->angle(f) + direction * right_angle;
     const Point2 line(std::cos(angle), std::sin(angle));
-    const Point2 to_apex = corners[(k + 2) % 3] - corners[k], along = corners[(k + 1) % 3] - corners[k];
+    const Point2 to_apex = corners[(k + 2) % 3] - corners[k];
+    const Point2 along = corners[(k + 1) % 3] - corners[k];
     const double t = cross(line, to_apex) / cross(line, along);
     return std::isfinite(t) ? std::clamp(t, margin, 1 - margin) : 0.5;
   }

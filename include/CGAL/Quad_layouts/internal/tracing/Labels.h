@@ -16,13 +16,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// For every halfedge h the quadrant of its outward normal in the cross of its face: with label l, lines of
-// the directions l and l+1 leave the face through h, lines of the directions l+2 and l+3 enter.
+// For every halfedge h the quadrant of its outward normal in the cross of its face: with label l,
+// lines of the directions l and l+1 leave the face through h, lines of the directions l+2 and l+3
+// enter.
 //
-// The increment at a corner is the label of the corner's halfedge minus that of the halfedge before it. A face is
-// valid if its increments are in {0, 1, 2} and sum to 4, that is, if its normals turn around once. Then
-// every direction enters through one side and leaves through two, or the reverse. From here on the
-// labels alone say which way lines run; angles only propose where.
+// The increment at a corner is the label of the corner's halfedge minus that of the halfedge before
+// it. A face is valid if its increments are in {0, 1, 2} and sum to 4, that is, if its normals turn
+// around once. Then every direction enters through one side and leaves through two, or the reverse.
+// From here on the labels alone say which way lines run; angles only propose where.
 class Labels
 {
 public:
@@ -55,13 +56,14 @@ public:
     return a < 3 && b < 3 && c < 3 && a + b + c == 4;
   }
 
-  // the number of directions that enter through both sides of a corner: lines that start at its vertex
+  // the number of directions that enter through both sides of a corner: lines that start at its
+  // vertex
   int number_of_starts(int corner) const { return 2 - increment(corner); }
   // the i-th of these directions, from right to left as seen from the vertex
   int start(int corner, int i) const { return (m_label[corner] + 2 + i) & 3; }
 
   // the number of lines that start at v. Over all vertices of a closed surface, 4 - valence sums
-  // to four times the Euler characteristic, because the two corners sums of a valid face are 2
+  // to four times the Euler characteristic, because the corners of a valid face sum to 2
   int valence(int v) const
   {
     int sum = 0;
@@ -86,10 +88,12 @@ private:
     const Surface& surface = field.surface();
     const int g = surface.opposite(h);
     const double here = field.angle(Surface::face(h));
-    const double there = field.angle(Surface::face(g)) + field.matching(h) * right_angle - surface.transport(h);
+    const double there = field.angle(Surface::face(g)) + field.matching(h) * right_angle
+                       - surface.transport(h);
     const double mean = here + std::remainder(there - here, 4 * right_angle) / 2;
     const double normal = surface.halfedge_angle(h) - right_angle;
-    return static_cast<signed char>(static_cast<int>(std::floor((normal - mean) / right_angle)) & 3);
+    const int quadrant = int(std::floor((normal - mean) / right_angle));
+    return static_cast<signed char>(quadrant & 3);
   }
 
   const Surface* m_surface;

@@ -19,20 +19,23 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// says if the leg of length `a` that trace `i` contributes to a crossing counts as longer than the leg of
-// length `b` of trace `j`: equal lengths, which symmetric shapes have by the dozen, are ordered by the traces' numbers
+// says if the leg of length `a` that trace `i` contributes to a crossing counts as longer than the
+// leg of length `b` of trace `j`: equal lengths, which symmetric shapes have by the dozen, are
+// ordered by the traces' numbers
 inline bool is_longer(double a, int i, double b, int j)
 {
   return std::tie(a, i) > std::tie(b, j);
 }
 
-// The motorcycles of an extended motorcycle graph (Lyon, Campen, Kobbelt: Simpler quad layouts using relaxed
-// singularities, 2021, Section 3.1): they start at given vertices in all directions and advance together, by length.
+// The motorcycles of an extended motorcycle graph (Lyon, Campen, Kobbelt: Simpler quad layouts
+// using relaxed singularities, 2021, Section 3.1): they start at given vertices in all directions
+// and advance together, by length.
 //
-// A motorcycle i stops once it has met on its left and on its right a trace j whose candidate separatrix, from the
-// start of i to the start of j, is acceptable by the rule of Section 4.3,
+// A motorcycle i stops once it has met on its left and on its right a trace j whose candidate
+// separatrix, from the start of i to the start of j, is acceptable by the rule of Section 4.3,
 //   (l_ji - 2r) / (l_ij + 2r) <= tan alpha with l_ij > l_ji,
-// because singularities further out on that side lie behind the trace j. The later trace stops on the earlier one.
+// because singularities further out on that side lie behind the trace j. The later trace stops on
+// the earlier one.
 class Motorcycles
 {
 public:
@@ -41,7 +44,7 @@ public:
     double tangent;        // of the maximum deviation alpha
     double displacement;   // the maximum displacement r, as a length
     double patience;       // a trace longer than this or
-    int maximum_steps;     // with more chords than this stops wherever it can: it may run around a limit cycle
+    int maximum_steps;     // with more chords than this stops wherever it can
   };
 
   struct Trace
@@ -65,7 +68,8 @@ public:
 
   const std::vector<Trace>& traces() const { return m_traces; }
 
-  // runs until all have stopped. Returns -1, or the face in which a motorcycle is that met nobody for too long
+  // runs until all have stopped. Returns -1, or the face in which a motorcycle is that met nobody
+  // for too long
   int run(const Monitor& monitor)
   {
     for (std::size_t n = 1; !m_queue.empty(); ++n) {
@@ -93,7 +97,8 @@ public:
   }
 
 private:
-  // is the arrival of the later of two traces at a crossing, or of a trace at the side of a triangle (crossing = -1)
+  // is the arrival of the later of two traces at a crossing, or of a trace at the side of a
+  // triangle (crossing = -1)
   struct Event
   {
     double length;
@@ -116,7 +121,8 @@ private:
     }
   }
 
-  // takes the trace through the next triangle, unless it has stopped; returns false if it should have by far
+  // takes the trace through the next triangle, unless it has stopped; returns false if it should
+  // have by far
   bool go_on(int trace)
   {
     const Trace& t = m_traces[trace];
@@ -129,7 +135,8 @@ private:
     return true;
   }
 
-  // appends a chord to a trace, and the events on it; crossings from number `known` on are the chord's
+  // appends a chord to a trace, and the events on it; crossings from number `known` on are the
+  // chord's
   void append(int trace, int chord, int known)
   {
     m_traces[trace].chords.push_back(chord);
@@ -141,7 +148,10 @@ private:
     push(m_chords->chord(chord).end, trace, -1);
   }
 
-  void push(double length, int trace, int crossing) { m_queue.push({length, trace, m_number++, crossing}); }
+  void push(double length, int trace, int crossing)
+  {
+    m_queue.push({length, trace, m_number++, crossing});
+  }
 
   void meet(int x)
   {
@@ -166,7 +176,8 @@ private:
   // says if a trace meets crossing x on its chord c before crossing y on its chord d
   bool is_before(int c, int x, int d, int y) const
   {
-    return c == d ? m_chords->is_before(c, x, y) : m_chords->chord(c).step < m_chords->chord(d).step;
+    return c == d ? m_chords->is_before(c, x, y)
+                  : m_chords->chord(c).step < m_chords->chord(d).step;
   }
 
   void advance(int x, int c)
@@ -189,8 +200,8 @@ private:
     (m_chords->quarter_turns(x, crossing.chord[s]) == 1 ? t.met_on_right : t.met_on_left) = true;
   }
 
-  // Rounding may let events come in another order than the crossings along the trace: no trace stops short of
-  // a node that it has.
+  // Rounding may let events come in another order than the crossings along the trace: no trace
+  // stops short of a node that it has.
   void try_to_stop(int x, int c)
   {
     Trace& t = trace_of(c);

@@ -25,8 +25,10 @@ class T_mesh_assembly
 public:
   using Surface = Triangle_surface;
 
-  T_mesh_assembly(std::shared_ptr<const Surface> surface, const Chords& chords, const Motorcycles& motorcycles)
-    : m_chords(chords), m_motorcycles(motorcycles), m_node_of_crossing(chords.number_of_crossings(), -1),
+  T_mesh_assembly(std::shared_ptr<const Surface> surface, const Chords& chords,
+                  const Motorcycles& motorcycles)
+    : m_chords(chords), m_motorcycles(motorcycles),
+      m_node_of_crossing(chords.number_of_crossings(), -1),
       m_halfedge_of_point(chords.order().number_of_points(), -1)
   {
     m_result.surface_pointer = std::move(surface);
@@ -46,7 +48,8 @@ public:
   }
 
 private:
-  // The halfedges that leave a node, counter-clockwise; each comes `quarter_turns` after the one before it.
+  // The halfedges that leave a node, counter-clockwise; each comes `quarter_turns` after the one
+  // before it.
   struct Outgoing
   {
     int halfedge;
@@ -112,8 +115,8 @@ private:
     CGAL_assertion_msg(false, "a trace has not stopped");
   }
 
-  // the halfedge of the current arc whose left side is that of the source of the crossed edge, where the trace enters
-  // a face through `entry`
+  // the halfedge of the current arc whose left side is that of the source of the crossed edge,
+  // where the trace enters a face through `entry`
   int halfedge_towards_source(const Chords::End& entry) const
   {
     const int e = m_chords.order().edge(entry.point), forward = m_result.number_of_halfedges() - 2;
@@ -138,8 +141,12 @@ private:
     m_result.node_visits[node][is_later ? 1 : 0] = {t, int(m_result.traces[t].arcs.size())};
   }
 
-  // the halfedges that leave the node of crossing x, by quarter-turns from the direction of its first chord
-  std::array<int, 4>& around(int x) { return m_around[m_node_of_crossing[x] - m_first_crossing_node]; }
+  // the halfedges that leave the node of crossing x, by quarter-turns from the direction of its
+  // first chord
+  std::array<int, 4>& around(int x)
+  {
+    return m_around[m_node_of_crossing[x] - m_first_crossing_node];
+  }
   int quarter_turns(int x, int c) const
   {
     const int first = m_chords.crossing(x).chord[0];

@@ -18,12 +18,13 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// returns "patch p (near surface vertex v)"
+// returns "patch p (beside a trace that starts at vertex v)"
 inline std::string named_patch(const T_mesh& t_mesh, int p)
 {
   const int trace = t_mesh.trace(Halfedge_complex::edge(t_mesh.halfedge_of(p)));
   const int vertex = t_mesh.surface_vertex(t_mesh.traces[trace].start);
-  return "patch " + std::to_string(p) + " (beside a trace that starts at vertex " + std::to_string(vertex) + ")";
+  return "patch " + std::to_string(p) + " (beside a trace that starts at vertex "
+       + std::to_string(vertex) + ")";
 }
 
 // throws unless every patch has four corners
@@ -38,8 +39,9 @@ inline void check_corners(const T_mesh& t_mesh)
                           + std::to_string(corners[p]) + " corners");
 }
 
-// throws unless the T-mesh has the Euler characteristic of the surface in each of its components. If one of its
-// patches had a handle or a second border there, it would have a larger one: so every patch is a disc.
+// throws unless the T-mesh has the Euler characteristic of the surface in each of its components.
+// If one of its patches had a handle or a second border there, it would have a larger one: so every
+// patch is a disc.
 inline void check_euler_characteristics(const T_mesh& t_mesh)
 {
   const Triangle_surface& surface = t_mesh.surface();
@@ -52,7 +54,9 @@ inline void check_euler_characteristics(const T_mesh& t_mesh)
   for (int f = 0; f < surface.number_of_faces(); ++f)
     ++difference[component[surface.source(3 * f)]];
 
-  const auto of_trace = [&](int t) { return component[t_mesh.surface_vertex(t_mesh.traces[t].start)]; };
+  const auto of_trace = [&](int t) {
+    return component[t_mesh.surface_vertex(t_mesh.traces[t].start)];
+  };
   for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
     --difference[of_trace(t_mesh.trace(Halfedge_complex::edge(t_mesh.halfedge_from(n))))];
   for (int a = 0; a < t_mesh.number_of_edges(); ++a)
@@ -66,15 +70,16 @@ inline void check_euler_characteristics(const T_mesh& t_mesh)
                           + " not all patches are discs");
 }
 
-// Checks that walks around the corners of all triangles cross arcs from patch to patch without a gap. Then every piece of
-// an edge lies in one patch, and so does every vertex that is no node.
+// Checks that walks around the corners of all triangles cross arcs from patch to patch without a
+// gap. Then every piece of an edge lies in one patch, and so does every vertex that is no node.
 class Crossing_check
 {
 public:
   using Surface = Triangle_surface;
 
   explicit Crossing_check(const T_mesh& t_mesh)
-    : m_t_mesh(t_mesh), m_surface(t_mesh.surface()), m_patch(t_mesh.surface().number_of_halfedges(), -1)
+    : m_t_mesh(t_mesh), m_surface(t_mesh.surface()),
+      m_patch(t_mesh.surface().number_of_halfedges(), -1)
   {
   }
 
@@ -146,8 +151,9 @@ private:
 
   [[noreturn]] void fail(int h) const
   {
-    throw Stage_failure("trace_motorcycle_graph: the arcs that cross face " + std::to_string(Surface::face(h))
-                        + " near vertex " + std::to_string(m_surface.source(h)) + " do not match their patches");
+    throw Stage_failure("trace_motorcycle_graph: the arcs that cross face "
+                        + std::to_string(Surface::face(h)) + " near vertex "
+                        + std::to_string(m_surface.source(h)) + " do not match their patches");
   }
 
   const T_mesh& m_t_mesh;

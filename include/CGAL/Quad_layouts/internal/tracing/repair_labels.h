@@ -20,13 +20,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes all faces valid and all valences positive, by a min-conflicts search that starts from labels that are valid
-// nearly everywhere: again and again, the cheapest change of a label near a bad face or vertex.
+// Makes all faces valid and all valences positive, by a min-conflicts search that starts from
+// labels that are valid nearly everywhere: again and again, the cheapest change of a label near a
+// bad face or vertex.
 //
-// A label that changes on both sides of its edge keeps the matching. As long as faces are valid, it then
-// keeps the valences, too. A label that changes on one side moves a quarter of index from one end of the edge to
-// the other; this is how vertices of valence 0 and less, around which lines can only spiral, share their
-// index with neighbours.
+// A label that changes on both sides of its edge keeps the matching. As long as faces are valid, it
+// then keeps the valences, too. A label that changes on one side moves a quarter of index from one
+// end of the edge to the other; this is how vertices of valence 0 and less, around which lines can
+// only spiral, share their index with neighbours.
 class Label_repair
 {
 public:

@@ -40,13 +40,13 @@ inline std::vector<int> components(const Triangle_surface& surface)
   return component;
 }
 
-// returns the vertices where traces start, ascending: the singular ones, `seeds`, and the first vertex of
-// each component that would have none otherwise
+// returns the vertices where traces start, ascending: the singular ones, `seeds`, and the first
+// vertex of each component that would have none otherwise
 inline std::vector<int> starting_vertices(const Labels& labels, const std::vector<int>& seeds)
 {
   const Triangle_surface& surface = labels.surface();
   const std::vector<int> component = components(surface);
-  std::vector<char> starts(surface.number_of_vertices(), 0), has_start(surface.number_of_vertices(), 0);
+  std::vector<char> starts(surface.number_of_vertices(), 0), has_start = starts;
   for (int s : seeds)
     starts[s] = 1;
   for (int v = 0; v < surface.number_of_vertices(); ++v) {

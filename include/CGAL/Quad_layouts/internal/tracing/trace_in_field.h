@@ -21,9 +21,11 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// returns the rule for stopping. Traces that are many times longer than the surface is wide run around a limit cycle or
-// into a spiral; the first goes on forever, the second has finite length but no last triangle.
-inline Motorcycles::Rule stopping_rule(const Triangle_surface& surface, double tangent, double displacement)
+// returns the rule for stopping. Traces that are many times longer than the surface is wide run
+// around a limit cycle or into a spiral; the first goes on forever, the second has finite length
+// but no last triangle.
+inline Motorcycles::Rule stopping_rule(const Triangle_surface& surface, double tangent,
+                                       double displacement)
 {
   double area = 0;
   for (int f = 0; f < surface.number_of_faces(); ++f)
@@ -45,7 +47,8 @@ inline int seed_beside(const Labels& labels, int f)
   return seed;
 }
 
-// traces the extended motorcycle graph of a field; `tangent` is that of the maximum deviation, `displacement` a length
+// traces the extended motorcycle graph of a field; `tangent` is that of the maximum deviation,
+// `displacement` a length
 inline T_mesh trace_in_field(const Cross_field& field, double tangent, double displacement,
                              const Monitor& monitor)
 {
