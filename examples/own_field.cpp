@@ -4,8 +4,8 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Traces a T-mesh in a field of our own: in each face the horizontal direction, so that one family of
-// lines runs level around the model.
+// Traces a T-mesh in a field of our own: in each face the horizontal direction, so that one family
+// of lines runs level around the model.
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>

@@ -55,8 +55,8 @@ public:
     return pi - (turn < 0 ? turn + 2 * pi : turn);
   }
 
-  // the area of face f; not less than what the area of a needle loses by rounding, so that quotients
-  // by it are finite
+  // the area of face f; not less than what the area of a needle loses by rounding, so that
+  // quotients by it are finite
   double area(int f) const { return m_area[f]; }
 
   // length over dual length of edge e, the latter being the part normal to e of the way from one

@@ -66,7 +66,7 @@ private:
     int best = -1, best_gain = 0;
     double best_rotation = 0;
     m_surface.for_each_outgoing(v, [&](int h) {
-      if (m_is_fixed[h / 3] && m_is_fixed[m_surface.opposite(h) / 3])
+      if (m_is_fixed[m_surface.face(h)] && m_is_fixed[m_surface.face(m_surface.opposite(h))])
         return;
       const int gain = quarter * (m_index[v] - m_index[m_surface.target(h)]) - 1;
       const double turned = rotation(m_connection, m_angle, m_jump, h) + quarter * right_angle;
@@ -94,7 +94,7 @@ private:
     for (int i = 0; i < number_of_rings; ++i, ring.swap(next_ring), next_ring.clear())
       for (int u : ring)
         m_surface.for_each_outgoing(u, [&](int h) {
-          add_once(h / 3, result);
+          add_once(m_surface.face(h), result);
           if (add_once(m_surface.target(h), seen_vertices))
             next_ring.push_back(m_surface.target(h));
         });

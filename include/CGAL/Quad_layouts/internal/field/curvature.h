@@ -52,9 +52,9 @@ public:
       const double angle = dihedral_angle(surface, h);
       const Complex d = std::polar(angle * surface.length(h) / 2, 2 * connection.halfedge_angle(h));
       if (std::abs(angle) > smallest_crease)
-        m_pull[h / 3] += d * d;
+        m_pull[surface.face(h)] += d * d;
       else
-        smooth[h / 3] += d;
+        smooth[surface.face(h)] += d;
     }
     for (std::size_t f = 0; f < m_pull.size(); ++f)
       m_pull[f] = (m_pull[f] + smooth[f] * smooth[f]) / connection.area(int(f));
