@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(same_field_as_on_a_surface_mesh, OpenMesh_mesh, Me
   const auto mesh = generated::noisy(generated::torus(24, 12), 0.05, 4);
   OpenMesh_mesh copy;
   CGAL::copy_face_graph(mesh, copy);
-  const QL::Cross_field expected = QL::compute_cross_field(mesh), field = QL::compute_cross_field(copy);
+  const QL::Cross_field expected = QL::compute_cross_field(mesh);
+  const QL::Cross_field field = QL::compute_cross_field(copy);
   BOOST_TEST(field.index_sum() == 0);
   BOOST_TEST(field.number_of_singularities() == expected.number_of_singularities());
 }
