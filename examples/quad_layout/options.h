@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef QUAD_LAYOUTS_EXAMPLES_OPTIONS_H
+#define QUAD_LAYOUTS_EXAMPLES_OPTIONS_H
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+// says what is wrong with the command line
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// what the command line asks for
+struct Options
+{
+  std::string input;
+  std::string output = ".";
+  std::string field; // a file, or empty
+  std::string solver = "glpk";
+  double alpha = 15;         // degrees
+  double displacement = 2;   // target edge lengths
+  double edge_length = 0.01; // of the diagonal of the bounding box
+  double time_limit = 60;    // seconds
+  int min_valence = 3;
+  int max_valence = 8;
+  bool quiet = false;
+  bool help = false;
+};
+
+inline const char* usage()
+{
+  return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
+         "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
+         "                         [--solver NAME] [--time-limit S] [--field FILE] [--quiet]\n"
+         "\n"
+         "Computes a simple quad layout of a closed triangle mesh, and a quad mesh on it.\n"
+         "INPUT is an OFF, OBJ, PLY or STL file, told by its extension.\n"
+         "\n"
+         "  --output DIR           where the results go, made if needed (.)\n"
+         "  --alpha DEG            how far layout edges may turn away from the field (15)\n"
+         "  --displacement R       how far singularities may move, in edge lengths (2)\n"
+         "  --edge-length FRACTION of the quads, by the bounding box's diagonal (0.01)\n"
+         "  --min-valence N        least valence of a vertex (3)\n"
+         "  --max-valence N        greatest valence of a vertex (8)\n"
+         "  --solver NAME          of the integer program: glpk (glpk)\n"
+         "  --time-limit S         for the integer program, in seconds (60)\n"
+         "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
+         "  --quiet                no progress on the standard error stream\n"
+         "\n"
+         "Results: layout.obj, layout_curves.obj, quad_mesh.obj, quad_mesh.vtp, stats.json.\n"
+         "Exit status: 0 done, 1 refused or failed, 2 wrong usage.\n";
+}
+
+// reads all of a text as a number
+template <class Number>
+Number number(const std::string& option, const std::string& text)
+{
+  std::size_t used = 0;
+  Number value = 0;
+  try {
+    if constexpr (std::is_integral_v<Number>)
+      value = std::stoi(text, &used);
+    else
+      value = std::stod(text, &used);
+  } catch (const std::logic_error&) {
+    used = 0;
+  }
+  if (text.empty() || used != text.size())
+    throw Usage_error(option + " needs a number, not \"" + text + "\"");
+  return value;
+}
+
+inline Options parse(int argc, char* argv[])
+{
+  Options result;
+  using Setter = std::function<void(const std::string& option, const std::string& value)>;
+  const auto real = [](double& x) -> Setter {
+    return [&x](const std::string& o, const std::string& v) { x = number<double>(o, v); };
+  };
+  const auto integer = [](int& x) -> Setter {
+    return [&x](const std::string& o, const std::string& v) { x = number<int>(o, v); };
+  };
+  const auto text = [](std::string& x) -> Setter {
+    return [&x](const std::string&, const std::string& v) { x = v; };
+  };
+  const std::map<std::string, Setter> setters = {
+      {"--output", text(result.output)},
+      {"--alpha", real(result.alpha)},
+      {"--displacement", real(result.displacement)},
+      {"--edge-length", real(result.edge_length)},
+      {"--min-valence", integer(result.min_valence)},
+      {"--max-valence", integer(result.max_valence)},
+      {"--solver", text(result.solver)},
+      {"--time-limit", real(result.time_limit)},
+      {"--field", text(result.field)},
+  };
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto setter = setters.find(word);
+    if (setter != setters.end()) {
+      if (++i == argc)
+        throw Usage_error(word + " needs a value");
+      setter->second(word, argv[i]);
+    } else if (word == "--quiet")
+      result.quiet = true;
+    else if (word == "--help" || word == "-h")
+      result.help = true;
+    else if (word.size() > 1 && word[0] == '-')
+      throw Usage_error("unknown option " + word);
+    else if (!result.input.empty())
+      throw Usage_error("more than one input: " + result.input + " and " + word);
+    else
+      result.input = word;
+  }
+  if (result.input.empty() && !result.help)
+    throw Usage_error("no input");
+  if (result.solver != "glpk")
+    throw Usage_error("unknown solver " + result.solver + ": this program has glpk");
+  return result;
+}
+
+#endif // QUAD_LAYOUTS_EXAMPLES_OPTIONS_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef QUAD_LAYOUTS_EXAMPLES_STAGES_H
+#define QUAD_LAYOUTS_EXAMPLES_STAGES_H
+
+#include "input.h"
+#include "options.h"
+
+#include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/embed_quad_layout.h>
+#include <CGAL/Quad_layouts/extract_quad_layout.h>
+#include <CGAL/Quad_layouts/extract_quad_mesh.h>
+#include <CGAL/Quad_layouts/measure_quad_layout.h>
+#include <CGAL/Quad_layouts/measure_quad_mesh.h>
+#include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/quantize.h>
+#include <CGAL/Quad_layouts/smooth_quad_mesh.h>
+#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
+#include <CGAL/Quad_layouts/visitor.h>
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Real_timer.h>
+
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace QL = CGAL::Quad_layouts;
+
+// tells on the standard error stream how the integer program gets on
+struct Progress : QL::Default_visitor
+{
+  bool quiet = false;
+
+  void improved(double objective, double bound, double seconds)
+  {
+    if (!quiet)
+      std::cerr << "  objective " << objective << ", bound " << bound << " after " << std::fixed
+                << std::setprecision(1) << seconds << " s\n"
+                << std::defaultfloat << std::setprecision(6);
+  }
+};
+
+// all that the stages make of a mesh
+struct Results
+{
+  Mesh quads;
+  Mesh::Property_map<Mesh::Face_index, int> patch;
+  Mesh::Property_map<Mesh::Vertex_index, bool> is_node;
+  Mesh::Property_map<Mesh::Edge_index, bool> is_layout_edge;
+
+  QL::Cross_field field;
+  QL::T_mesh t_mesh;
+  QL::Quantization quantization;
+  QL::Quad_layout layout;
+  QL::Integer_grid_map map;
+  QL::Quad_mesh_measures quality;
+
+  std::vector<std::pair<std::string, double>> seconds; // per stage, and in total
+};
+
+// measures and announces the stages
+class Stage_clock
+{
+public:
+  Stage_clock(bool quiet, Results& results) : m_quiet(quiet), m_results(results)
+  {
+    m_total.start();
+  }
+
+  template <class Work>
+  auto operator()(const std::string& stage, const Work& work)
+  {
+    if (!m_quiet)
+      std::cerr << stage << " ...\n";
+    CGAL::Real_timer timer;
+    timer.start();
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      note(stage, timer.time());
+    } else {
+      auto result = work();
+      note(stage, timer.time());
+      return result;
+    }
+  }
+
+  void finish() { note("total", m_total.time()); }
+
+private:
+  void note(const std::string& stage, double seconds)
+  {
+    m_results.seconds.emplace_back(stage, seconds);
+    if (!m_quiet)
+      std::cerr << "  " << std::fixed << std::setprecision(2) << seconds << " s\n"
+                << std::defaultfloat << std::setprecision(6);
+  }
+
+  bool m_quiet;
+  Results& m_results;
+  CGAL::Real_timer m_total;
+};
+
+inline double diagonal(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) +
+                   CGAL::square(box.z_span()));
+}
+
+inline QL::Cross_field field_of(Mesh& mesh, const Options& options, Progress& progress)
+{
+  const auto np = QL::parameters::visitor(std::ref(progress));
+  if (options.field.empty())
+    return QL::compute_cross_field(mesh, np);
+  return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
+}
+
+// runs all stages on a mesh
+inline void run_stages(Mesh& mesh, const Options& options, Results& results)
+{
+  Progress progress;
+  progress.quiet = options.quiet;
+  Stage_clock clock(options.quiet, results);
+  const double target = options.edge_length * diagonal(mesh);
+  const auto np = QL::parameters::maximum_deviation(options.alpha)
+                      .maximum_displacement(options.displacement)
+                      .target_edge_length(target)
+                      .minimum_valence(options.min_valence)
+                      .maximum_valence(options.max_valence)
+                      .maximum_running_time(options.time_limit)
+                      .visitor(std::ref(progress));
+  auto& r = results;
+  r.patch = r.quads.add_property_map<Mesh::Face_index, int>("f:patch", -1).first;
+  r.is_node = r.quads.add_property_map<Mesh::Vertex_index, bool>("v:is_node", false).first;
+  r.is_layout_edge =
+      r.quads.add_property_map<Mesh::Edge_index, bool>("e:is_layout_edge", false).first;
+
+  r.field = clock("field", [&] { return field_of(mesh, options, progress); });
+  r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, np); });
+  r.quantization = clock("quantize", [&] { return QL::quantize(r.t_mesh, np); });
+  r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
+  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.field, r.t_mesh, r.layout, np); });
+  clock("quad_mesh", [&] {
+    QL::extract_quad_mesh(r.map, r.layout, r.quads,
+                          QL::parameters::face_patch_map(r.patch)
+                              .vertex_is_layout_node_map(r.is_node)
+                              .edge_is_layout_edge_map(r.is_layout_edge));
+  });
+  clock("smooth", [&] { QL::smooth_quad_mesh(r.quads, mesh, np); });
+  clock.finish();
+  r.quality = QL::measure_quad_mesh(r.quads);
+}
+
+#endif // QUAD_LAYOUTS_EXAMPLES_STAGES_H

@@ -1,0 +1,106 @@
+#!/bin/bash
+# Tests what the program quad_layout returns and writes.
+# usage: test_command.sh PROGRAM
+
+set -uo pipefail
+program=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+fail()
+{
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# usage: expect STATUS WORDS ARGUMENT...: the status, and an extended regular expression for stderr
+expect()
+{
+  local status=$1 words=$2
+  shift 2
+  "$program" "$@" >stdout 2>stderr
+  local got=$?
+  [ $got = "$status" ] || fail "quad_layout $*: status $got instead of $status"
+  grep -Eq -- "$words" stderr || fail "quad_layout $*: \"$words\" is not in: $(cat stderr)"
+  if [ "$status" != 0 ] && [ -n "$(find . -name '*.json' -o -name '*.part')" ]; then
+    fail "quad_layout $*: has left files"
+  fi
+}
+
+# A cube of n x n squares a side, two triangles each, as OFF.
+cube()
+{
+  awk -v n="$1" '
+    function vertex(x, y, z) {
+      key = x " " y " " z
+      if (!(key in number)) { number[key] = vertices; point[vertices++] = key }
+      return number[key]
+    }
+    function at(side, axis, i, j) {
+      if (axis == 0) return vertex(side, i, j)
+      if (axis == 1) return vertex(j, side, i)
+      return vertex(i, j, side)
+    }
+    BEGIN {
+      for (axis = 0; axis < 3; ++axis) for (side = 0; side <= n; side += n)
+        for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+          a = at(side, axis, i, j); b = at(side, axis, i + 1, j)
+          c = at(side, axis, i + 1, j + 1); d = at(side, axis, i, j + 1)
+          if (side == 0) { e = b; b = d; d = e }
+          face[faces++] = a " " b " " c; face[faces++] = a " " c " " d
+        }
+      print "OFF"; print vertices, faces, 0
+      for (v = 0; v < vertices; ++v) print point[v]
+      for (f = 0; f < faces; ++f) print 3, face[f]
+    }'
+}
+
+cube 8 >cube.off
+
+# usage
+expect 2 "no input"
+expect 2 "unknown option --colour" cube.off --colour red
+expect 2 "alpha needs a number" cube.off --alpha steep
+expect 2 "alpha needs a value" cube.off --alpha
+expect 2 "more than one input" cube.off cube.off
+expect 2 "unknown solver" cube.off --solver oracle
+expect 2 "maximum_deviation" cube.off --alpha 200 --quiet
+expect 0 "" --help
+
+# input that is refused, by the name of the element
+expect 1 "no such file" absent.off
+expect 1 "unknown format" cube.xyz
+echo "no mesh" >broken.off
+expect 1 "cannot be read" broken.off
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 2 3\n3 1 2 3\n' >turned.off
+expect 1 "faces 0 and 2 .*vertex 0 to vertex 2.*orient_polygon_soup" turned.off
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n' >open.off
+expect 1 "stitch_borders" open.off --quiet
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 nan\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' >nan.off
+expect 1 "." nan.off --quiet
+echo "1 0 0" >short.txt
+expect 1 "1 vectors for 768 faces" cube.off --field short.txt --quiet
+
+# a layout
+expect 0 "smooth" cube.off --output result --edge-length 0.05
+for file in layout.obj layout_curves.obj quad_mesh.obj quad_mesh.vtp stats.json; do
+  [ -s result/$file ] || fail "there is no result/$file"
+done
+[ -z "$(find result -name '*.part')" ] || fail "temporary files remain"
+[ "$(grep -c '^g ' result/quad_mesh.obj)" = 6 ] || fail "a cube has six patches"
+for key in input vertices faces euler components borders singularities_in singularities_out patches \
+           t_junctions quads msj_min msj_avg patches_floor t_mesh nodes arcs traces program variables \
+           constraints indicators objective bound gap status rounds map triangles inverted \
+           wrong_winding seconds field trace quantize extract embed quad_mesh smooth total; do
+  grep -q "\"$key\":" result/stats.json || fail "stats.json has no $key"
+done
+grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 patches"
+
+if [ $failures = 0 ]; then
+  echo "all well"
+else
+  echo "$failures failures"
+  exit 1
+fi

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE smooth_quad_mesh
+
+#include <CGAL/Quad_layouts/measure_quad_mesh.h>
+#include <CGAL/Quad_layouts/smooth_quad_mesh.h>
+
+#include "generated_quad_meshes.h"
+
+#include <CGAL/Polyhedron_3.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace QL = CGAL::Quad_layouts;
+using generated::Mesh;
+using generated::Point;
+using generated::Vector;
+
+namespace {
+
+// a smooth function on space, to make bumps with
+double bump(const Vector& x)
+{
+  return 1 + 0.2 * std::sin(3 * x.x() + 1) * std::cos(4 * x.y()) + 0.15 * std::sin(5 * x.z());
+}
+
+Mesh bumpy(Mesh mesh)
+{
+  for (const auto v : vertices(mesh)) {
+    const Vector x = mesh.point(v) - CGAL::ORIGIN;
+    mesh.point(v) = CGAL::ORIGIN + bump(x) * x;
+  }
+  return mesh;
+}
+
+QL::Quad_mesh_measures smoothed(Mesh& quads, const Mesh& surface)
+{
+  QL::smooth_quad_mesh(quads, surface);
+  const QL::Quad_mesh_measures result = QL::measure_quad_mesh(quads, surface);
+  BOOST_TEST(result.inverted_quads == 0);
+  BOOST_TEST(result.quads_against_surface == 0);
+  return result;
+}
+
+double squared_distance(const Mesh& a, const Mesh& b)
+{
+  double result = 0;
+  for (const auto v : vertices(a))
+    result += CGAL::squared_distance(a.point(v), b.point(v));
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_regular_cube_stays)
+{
+  const Mesh before = generated::quad_box({6, 6, 6});
+  Mesh after = before;
+  QL::smooth_quad_mesh(after, generated::triangulated(before),
+                       CGAL::parameters::number_of_iterations(0));
+  BOOST_TEST(squared_distance(before, after) < 1e-20);
+}
+
+BOOST_AUTO_TEST_CASE(noisy_sphere)
+{
+  const int n = 16;
+  Mesh quads = generated::noisy(generated::quad_sphere(n), 0.4 / n, 7);
+  BOOST_TEST(QL::measure_quad_mesh(quads).msj_average < 0.9);
+  const QL::Quad_mesh_measures m = smoothed(quads, generated::icosphere(5));
+  BOOST_TEST(m.msj_average > 0.99);
+  BOOST_TEST(m.msj_minimum > 0.8); // 0.866 is all that a vertex of valence 3 allows
+  BOOST_TEST(m.patches == 6);
+  BOOST_TEST(m.maximum_distance_to_surface < 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(noisy_torus)
+{
+  Mesh quads = generated::noisy(generated::quad_torus(48, 16), 0.1, 3);
+  const Mesh surface = generated::triangulated(generated::quad_torus(96, 32));
+  const QL::Quad_mesh_measures m = smoothed(quads, surface);
+  BOOST_TEST(m.msj_average > 0.99);
+  BOOST_TEST(m.msj_minimum > 0.95);
+}
+
+BOOST_AUTO_TEST_CASE(bumpy_sphere)
+{
+  Mesh quads = bumpy(generated::quad_sphere(20));
+  const Mesh surface = bumpy(generated::icosphere(5));
+  const QL::Quad_mesh_measures before = QL::measure_quad_mesh(quads, surface),
+                               after = smoothed(quads, surface);
+  BOOST_TEST(after.msj_average > 0.97);
+  BOOST_TEST(after.msj_average > before.msj_average);
+  BOOST_TEST(after.msj_minimum > before.msj_minimum);
+  BOOST_TEST(after.maximum_distance_from_surface < 0.05);
+}
+
+// The sheets of the slab are nearer to each other than the vertices of one sheet.
+BOOST_AUTO_TEST_CASE(sheets_of_a_thin_slab_stay_apart)
+{
+  const double thickness = 0.02;
+  Mesh quads = generated::quad_box({20, 20, 1}, 1, 1, thickness);
+  const Mesh surface = generated::triangulated(generated::quad_box({15, 15, 1}, 1, 1, thickness));
+  std::mt19937 random(5);
+  const auto noise = [&] { return 0.03 * (2. * random() / double(random.max()) - 1); };
+  const auto is_inside = [](const Point& p) {
+    return std::abs(p.x()) < 0.85 && std::abs(p.y()) < 0.85;
+  };
+  for (const auto v : vertices(quads)) {
+    const Point& p = quads.point(v);
+    if (is_inside(p))
+      quads.point(v) = Point(p.x() + noise(), p.y() + noise(), p.z());
+  }
+  const Mesh before = quads;
+  const QL::Quad_mesh_measures m = smoothed(quads, surface);
+  BOOST_TEST(m.msj_average > 0.93);
+  int changed_sides = 0;
+  for (const auto v : vertices(quads))
+    changed_sides += is_inside(before.point(v)) && before.point(v).z() * quads.point(v).z() < 0;
+  BOOST_TEST(changed_sides == 0);
+}
+
+BOOST_AUTO_TEST_CASE(folds_are_untangled)
+{
+  const int n = 16;
+  Mesh quads = generated::noisy(generated::quad_sphere(n), 0.12, 11);
+  BOOST_TEST(QL::measure_quad_mesh(quads).inverted_quads > 0);
+  const QL::Quad_mesh_measures m = smoothed(quads, generated::icosphere(4));
+  BOOST_TEST(m.msj_average > 0.98);
+}
+
+BOOST_AUTO_TEST_CASE(borders_stay)
+{
+  const Mesh before = generated::quad_torus(24, 12, false);
+  Mesh after = generated::noisy(before, 0.05, 1);
+  for (const auto v : vertices(before))
+    if (before.is_border(v))
+      after.point(v) = before.point(v);
+  const Mesh surface = generated::triangulated(generated::quad_torus(48, 24));
+  QL::smooth_quad_mesh(after, surface);
+  for (const auto v : vertices(before))
+    if (before.is_border(v))
+      BOOST_TEST(after.point(v) == before.point(v));
+}
+
+BOOST_AUTO_TEST_CASE(same_result_again_and_on_other_meshes)
+{
+  const Mesh surface = bumpy(generated::icosphere(3)), quads = bumpy(generated::quad_sphere(8));
+  Mesh first = quads, second = quads;
+  QL::smooth_quad_mesh(first, surface);
+  QL::smooth_quad_mesh(second, surface);
+  BOOST_TEST(squared_distance(first, second) == 0.);
+
+  CGAL::Polyhedron_3<generated::Kernel> polyhedron, polyhedral_surface;
+  CGAL::copy_face_graph(quads, polyhedron);
+  CGAL::copy_face_graph(surface, polyhedral_surface);
+  QL::smooth_quad_mesh(polyhedron, polyhedral_surface);
+  BOOST_TEST(QL::measure_quad_mesh(polyhedron).msj_average ==
+                 QL::measure_quad_mesh(first).msj_average,
+             boost::test_tools::tolerance(1e-2));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_smoothed)
+{
+  Mesh quads = generated::quad_sphere(4);
+  const Mesh surface = generated::icosphere(2), before = quads;
+  BOOST_CHECK_THROW(
+      QL::smooth_quad_mesh(quads, surface, CGAL::parameters::number_of_iterations(-1)),
+      QL::Invalid_parameter);
+  BOOST_CHECK_THROW(QL::smooth_quad_mesh(quads, Mesh()), QL::Empty_mesh);
+  Mesh triangles = surface;
+  BOOST_CHECK_THROW(QL::smooth_quad_mesh(triangles, surface), QL::Stage_failure);
+
+  struct Impatient : QL::Default_visitor
+  {
+    bool go_on() { return false; }
+  };
+  BOOST_CHECK_THROW(QL::smooth_quad_mesh(quads, surface, QL::parameters::visitor(Impatient())),
+                    QL::Cancelled);
+  BOOST_CHECK_THROW(QL::smooth_quad_mesh(quads, surface, QL::parameters::default_values(),
+                                         QL::parameters::visitor(Impatient())),
+                    QL::Cancelled);
+  BOOST_TEST(squared_distance(quads, before) == 0.);
+}
