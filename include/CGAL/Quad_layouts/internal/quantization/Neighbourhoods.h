@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_NEIGHBOURHOODS_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_NEIGHBOURHOODS_H
+
+#include <CGAL/Quad_layouts/internal/quantization/Dual_graph.h>
+#include <CGAL/Quad_layouts/internal/quantization/Loop_search.h>
+#include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
+#include <CGAL/Quad_layouts/internal/quantization/dual_loops.h>
+#include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Makes the boxes of a large-neighbourhood search: free near a singularity, and along the dual loops through
+// this region.
+class Neighbourhoods
+{
+public:
+  Neighbourhoods(const T_mesh& t_mesh, const Dual_graph& graph)
+    : m_t_mesh(t_mesh), m_graph(graph), m_distances(t_mesh)
+  {
+  }
+
+  // returns the box about `x` that is free around the `count` singularities nearest to `node`
+  Box around(int node, int count, const std::vector<int>& x)
+  {
+    std::vector<char> is_near(x.size(), 0);
+    for (int v : variables_near(node, count))
+      is_near[v] = 1;
+    Box box(x);
+    for (const Loop& loop : dual_loops(m_t_mesh, m_graph, x))
+      if (std::any_of(loop.begin(), loop.end(), [&](int v) { return is_near[v]; }))
+        for (int v : loop) {
+          box.low[v] = 0;
+          box.high[v] = x[v] + 1;
+        }
+    for (std::size_t v = 0; v < x.size(); ++v)
+      if (is_near[v]) {
+        box.low[v] = 0;
+        box.high[v] = Box::unbounded;
+      }
+    return box;
+  }
+
+private:
+  std::vector<int> variables_near(int node, int count)
+  {
+    m_distances.search(node, (std::numeric_limits<double>::max)());
+    std::vector<double> distances;
+    for (int n : m_distances.reached())
+      if (m_t_mesh.is_singularity_or_seed(n))
+        distances.push_back(m_distances.distance(n));
+    std::sort(distances.begin(), distances.end());
+    const double radius = distances[(std::min)(distances.size(), std::size_t(count)) - 1];
+    std::vector<int> result;
+    for (int n : m_distances.reached())
+      if (m_distances.distance(n) <= radius) {
+        const int first = m_t_mesh.halfedge_from(n);
+        int h = first;
+        do {
+          const int v = m_graph.variable(T_mesh::edge(h));
+          if (v >= 0)
+            result.push_back(v);
+          h = m_t_mesh.turn_right(h);
+        } while (h != first);
+      }
+    return result;
+  }
+
+  const T_mesh& m_t_mesh;
+  const Dual_graph& m_graph;
+  Arc_distances m_distances;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_NEIGHBOURHOODS_H

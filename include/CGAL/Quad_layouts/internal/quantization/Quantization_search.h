@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_SEARCH_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_SEARCH_H
+
+#include <CGAL/Quad_layouts/Quantization.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/quantization/Incumbent.h>
+#include <CGAL/Quad_layouts/internal/quantization/Neighbourhoods.h>
+#include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
+#include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+struct Quantization_options
+{
+  Quantization_demands demands;
+  double seconds = 30;
+  double relative_gap = 0.01;
+};
+
+// Solves the program of [LCK21b] for a T-mesh, in four steps that each begin with the best solution so far:
+// - a greedy sum of dual loops;
+// - branch and cut in the whole program, which ends with the optimum for some hundred singularities that rarely can
+//   merge, and gives a bound for the others;
+// - branch and cut where only variables that are positive in the solution or in the relaxation are free;
+// - branch and cut in ever larger neighbourhoods.
+//
+// The effort of the solver is bounded by nodes of its search tree, so that results can be repeated; time limits are the
+// last resort. Bounds are those of the program with all cuts.
+template <class Traits>
+class Quantization_search
+{
+public:
+  Quantization_search(const T_mesh& t_mesh, const Quantization_options& options, const Monitor& monitor)
+    : m_t_mesh(t_mesh), m_options(options), m_monitor(monitor),
+      m_paper(build_quantization_program(t_mesh, options.demands)), m_graph(t_mesh),
+      m_program(reduce(t_mesh, m_paper, m_graph)), m_incumbent(t_mesh, m_paper, m_graph, m_program),
+      m_neighbourhoods(t_mesh, m_graph)
+  {
+    m_timer.start();
+  }
+
+  Quantization run()
+  {
+    if (m_incumbent.start()) {
+      report();
+      search_whole_program();
+      if (!is_done())
+        search_support();
+      if (!is_done())
+        search_neighbourhoods();
+    }
+    return result();
+  }
+
+private:
+  bool is_proven() const { return m_incumbent.objective() - m_bound <= m_options.relative_gap * m_incumbent.objective(); }
+  bool is_done() const { return is_proven() || seconds_left() <= 0; }
+  double seconds_left() const { return m_options.seconds - m_timer.time(); }
+
+  void report() const
+  {
+    const double lost = m_program.penalty * m_program.violated_rows;
+    m_monitor.improved(m_incumbent.objective() + lost, m_bound + lost, m_timer.time());
+  }
+
+  Search_effort effort(int nodes, double share_of_time, double gap) const
+  {
+    return {(std::min)(seconds_left(), share_of_time * m_options.seconds), nodes, gap,
+            [this] { return m_monitor.stopped(); }};
+  }
+
+  // solves in a box, takes over what is better, and returns the outcome
+  Box_solution search(const Box& box, const Search_effort& effort, bool& improved)
+  {
+    Box_solution solution = solve_in_box<Traits>(m_program, box, m_incumbent.values(), effort);
+    m_monitor.check("quantize");
+    improved = !solution.x.empty() && m_incumbent.improve_by(rounded(solution.x));
+    if (improved)
+      report();
+    return solution;
+  }
+
+  static std::vector<int> rounded(const std::vector<double>& x)
+  {
+    std::vector<int> result;
+    for (double value : x)
+      result.push_back(int(std::lround(value)));
+    return result;
+  }
+
+  // solves again as long as the solution is not valid and new cuts forbid it. An objective above the penalty could
+  // fall by violating a row: then the bound must come from the soft program.
+  void search_whole_program()
+  {
+    constexpr int nodes = 500;
+    m_program.covers_are_soft = m_incumbent.objective() > m_program.penalty;
+    const Box everything(m_program.number_of_variables());
+    std::size_t cuts;
+    do {
+      cuts = m_program.cuts.size();
+      bool improved;
+      const Box_solution solution = search(everything, effort(nodes, 0.15, m_options.relative_gap / 2), improved);
+      m_bound = (std::max)(m_bound, solution.bound);
+      report();
+      if (solution.status != Box_solution::OPTIMAL)
+        break;
+    } while (m_program.cuts.size() > cuts && !is_done());
+    m_program.covers_are_soft = false;
+  }
+
+  void search_support()
+  {
+    m_relaxation = solve_in_box<Traits>(m_program, Box(m_program.number_of_variables()), {},
+                                        effort((std::numeric_limits<int>::max)(), 0.3, 0), Domain::REALS).x;
+    m_monitor.check("quantize");
+    if (m_relaxation.empty())
+      return;
+    Box box(m_program.number_of_variables());
+    restrict_to_support(box);
+    bool improved;
+    search(box, effort(3000, 0.3, 0.001), improved);
+  }
+
+  // keeps variables at 0 that are 0 in the solution and in the relaxation
+  void restrict_to_support(Box& box) const
+  {
+    constexpr double positive = 1e-6;
+    for (int v = 0; v < m_program.number_of_variables(); ++v)
+      if (m_relaxation[v] < positive && m_incumbent.values()[v] == 0)
+        box.low[v] = box.high[v] = 0;
+  }
+
+  // searches around one singularity after another. The neighbourhoods grow while they are solved to optimality, and
+  // every other one is restricted to the support. Ends when many in a row bring nothing.
+  void search_neighbourhoods()
+  {
+    std::vector<int> order = m_paper.singularities;
+    const int patience = 20 + int(order.size()) / 8;
+    std::mt19937 random;
+    double size = 8;
+    int failures = 0;
+    for (std::size_t i = 0; !is_done() && failures < patience; ++i) {
+      const std::size_t k = i % order.size();
+      std::swap(order[k], order[k + random() % (order.size() - k)]);
+      Box box = m_neighbourhoods.around(order[k], int(size), m_incumbent.values());
+      if (i % 2 == 1 && !m_relaxation.empty())
+        restrict_to_support(box);
+      bool improved;
+      const Box_solution solution = search(box, effort(100, 0.15, 0.001), improved);
+      failures = improved ? 0 : failures + 1;
+      size = solution.status == Box_solution::OPTIMAL ? (std::min)(size * growth(), double(order.size()))
+                                                      : (std::max)(size / 1.1, 2.);
+      m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
+    }
+  }
+
+  // small steps for many singularities: there is more to gain from a size before it is time for the next one
+  double growth() const { return 1 + 3. / m_paper.singularities.size(); }
+
+  // evaluates the solution anew, in the program of the paper
+  Quantization result() const
+  {
+    Quantization result;
+    result.variables = m_program.number_of_variables();
+    result.indicators = int(m_program.indicators.size());
+    result.constraints = int(m_program.equations.size() + m_program.covers.size() + 2 * m_program.indicators.size() +
+                             m_program.index_rows.size() + m_program.cuts.size());
+    result.rounds = m_incumbent.rounds();
+    const double lost = m_program.penalty * m_program.violated_rows;
+    result.bound = m_bound + lost;
+    if (m_incumbent.values().empty())
+      return result;
+    result.arc_length = m_program.arc_lengths(m_incumbent.values());
+    const Quantization_check check = check_quantization(m_t_mesh, m_paper, result.arc_length);
+    CGAL_postcondition(check.consistent);
+    result.objective = check.objective;
+    result.violated = check.violated();
+    result.status = is_proven() ? Quantization::OPTIMAL : Quantization::FEASIBLE;
+    return result;
+  }
+
+  const T_mesh& m_t_mesh;
+  const Quantization_options m_options;
+  const Monitor& m_monitor;
+  Real_timer m_timer;
+  const Quantization_program m_paper;
+  const Dual_graph m_graph;
+  Reduced_program m_program;
+  Incumbent m_incumbent;
+  Neighbourhoods m_neighbourhoods;
+  std::vector<double> m_relaxation;
+  double m_bound = 0;           // all costs are positive
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_SEARCH_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_VALIDITY_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_VALIDITY_H
+
+#include <CGAL/Quad_layouts/internal/layout/quotient.h>
+#include <CGAL/Quad_layouts/internal/quantization/evaluate_program.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Examines layouts for what the rows of the program do not see, and turns it into cuts: loops of length 0 that change
+// the topology, and clusters of more singularities than pairs can see, whose index is out of range.
+class Validity
+{
+public:
+  Validity(const T_mesh& t_mesh, const Quantization_program& paper, Reduced_program& program)
+    : m_t_mesh(t_mesh), m_paper(paper), m_program(program)
+  {
+    for (std::size_t k = 0; k < program.indicators.size(); ++k) {
+      m_indicators[program.indicators[k].i].push_back(int(k));
+      m_indicators[program.indicators[k].j].push_back(int(k));
+    }
+  }
+
+  // says if the layout of `x` is valid; if not, adds cuts that `x` violates to the program
+  bool examine(const std::vector<int>& x)
+  {
+    const Quotient_report report = examine_quotient(m_t_mesh, m_program.arc_lengths(x));
+    bool valid = report.valid;
+    for (const auto& arcs : report.cuts)
+      add({m_program.set_of(arcs), {}});
+    for (const Merged_cluster& cluster : report.clusters)
+      if (excess(cluster) != 0 && add(cut_of(cluster)))
+        valid = false;
+    return valid;
+  }
+
+private:
+  // how far the index of a cluster is outside the range of its members
+  int excess(const Merged_cluster& cluster) const
+  {
+    int low = 0, high = 0;
+    for (int n : cluster.nodes) {
+      low = (std::min)(low, m_paper.index_range[n].first);
+      high = (std::max)(high, m_paper.index_range[n].second);
+    }
+    return internal::excess(cluster.index, low, high);
+  }
+
+  // Some arc that holds the cluster together becomes positive, or a singularity of the index that is missing joins it.
+  // To forbid the cluster as such would forbid legal larger ones.
+  Reduced_program::Cut cut_of(const Merged_cluster& cluster) const
+  {
+    Reduced_program::Cut cut{m_program.set_of(cluster.tree_arcs), {}};
+    const int sign = excess(cluster) > 0 ? -1 : 1;
+    for (int n : cluster.nodes) {
+      const auto found = m_indicators.find(n);
+      if (found == m_indicators.end())
+        continue;
+      for (int k : found->second) {
+        const auto& indicator = m_program.indicators[k];
+        const int other = indicator.i == n ? indicator.j : indicator.i;
+        if (!std::binary_search(cluster.nodes.begin(), cluster.nodes.end(), other) &&
+            m_t_mesh.index(other) * sign > 0)
+          cut.indicators.push_back(k);
+      }
+    }
+    std::sort(cut.indicators.begin(), cut.indicators.end());
+    cut.indicators.erase(std::unique(cut.indicators.begin(), cut.indicators.end()), cut.indicators.end());
+    return cut;
+  }
+
+  // returns false if the cut asks for what no consistent quantization has: this must be put up with
+  bool add(Reduced_program::Cut cut)
+  {
+    if (cut.variables.empty())
+      return false;
+    m_program.cuts.push_back(std::move(cut));
+    return true;
+  }
+
+  const T_mesh& m_t_mesh;
+  const Quantization_program& m_paper;
+  Reduced_program& m_program;
+  std::map<int, std::vector<int>> m_indicators;     // per node
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_VALIDITY_H

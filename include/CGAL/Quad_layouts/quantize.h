@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_QUANTIZE_H
+#define CGAL_QUAD_LAYOUTS_QUANTIZE_H
+
+#include <CGAL/Quad_layouts/Quantization.h>
+#include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/quantization/Quantization_search.h>
+#include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/visitor.h>
+#if __has_include(<glpk.h>)
+#include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
+#endif
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+template <class FT>
+class GLPK_mixed_integer_program_traits;
+
+namespace internal {
+
+// throws unless `holds`
+template <class Number>
+void check_quantization_parameter(bool holds, const char* name, Number value, const char* demand)
+{
+  if (!holds)
+    throw Invalid_parameter(std::string(name) + ": " + std::to_string(value) + " is not " + demand);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+gives each arc of a T-mesh a non-negative integer length, so that the T-mesh becomes a conforming quad layout that is as
+simple as the limits on deviation and displacement allow.
+
+Arcs of length 0 are collapsed in the layout; singularities joined by them merge. The lengths minimise the
+total length of all dual loops of the layout, subject to the relaxed integer program of \cgalCite{lck-sqlrs-21}, Section 4:
+opposite sides of all patches are equally long; singularities that are out of reach of each other stay separate; those
+that merge have indices that add up to an index in the permitted range; and separatrices that would deviate too
+much do not form. Conditions that no quantization of the T-mesh can satisfy are given up and counted
+(Equations (7) to (9)). Beyond the program of the paper every result is a valid layout of the same surface: collapsing
+arcs changes neither topology nor orientation, and no merged vertex has an index out of range unnoticed.
+
+Programs with up to about two hundred singularities are solved to the relative gap in seconds. The result does
+not depend on the speed of the machine as long as the time limit is not reached.
+
+@tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
+        `GLPK_mixed_integer_program_traits<double>`
+@tparam NamedParameters a sequence of named parameters
+
+@param t_mesh a T-mesh
+@param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{maximum_deviation}
+    \cgalParamDescription{the angle, in degrees, by which layout edges may deviate from the traces. It should be the one that
+                          the T-mesh was traced with.}
+    \cgalParamType{double}
+    \cgalParamDefault{`15`}
+    \cgalParamExtra{It must be greater than 0 and less than 90.}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_displacement}
+    \cgalParamDescription{how far singularities may move, in units of the target edge length. With 0 none merge
+                          that can stay separate.}
+    \cgalParamType{double}
+    \cgalParamDefault{`2`}
+    \cgalParamExtra{It must not be negative.}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{the length of the edges of the quad mesh to come}
+    \cgalParamType{double}
+    \cgalParamDefault{one percent of the diagonal of the bounding box of the surface}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_valence}
+    \cgalParamDescription{the least number of edges at a layout vertex; singularities of lower valence remain if they do not
+                          merge}
+    \cgalParamType{int}
+    \cgalParamDefault{`3`}
+    \cgalParamExtra{It must be in 1 to 4.}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_valence}
+    \cgalParamDescription{the greatest number of edges at a layout vertex; singularities of higher valence remain if they do
+                          not merge}
+    \cgalParamType{int}
+    \cgalParamDefault{`8`}
+    \cgalParamExtra{It must be at least 4.}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{when to end the search, in seconds; the best solution found is returned}
+    \cgalParamType{double}
+    \cgalParamDefault{`30`}
+  \cgalParamNEnd
+  \cgalParamNBegin{relative_gap}
+    \cgalParamDescription{how far, relatively, the objective may be above the proven bound for the search to end; within it a
+                          solution counts as optimal}
+    \cgalParamType{double}
+    \cgalParamDefault{`0.01`}
+    \cgalParamExtra{It must be in 0 to 1.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told the progress, and can stop the work}
+    \cgalParamType{a class like `Default_visitor`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+@return the lengths, with the proof of their quality. The status is `INFEASIBLE` if there is no valid layout, which
+        happens only if arcs around a handle have length 0 in every quantization.
+
+\throw Invalid_parameter if a parameter is out of its range.
+\throw Cancelled if the visitor asks to stop.
+
+The first solution takes time about quadratic in the number of traces. The program is NP-hard: its optimum
+takes exponential time in the worst case.
+*/
+template <class MixedIntegerProgramTraits = GLPK_mixed_integer_program_traits<double>,
+          class NamedParameters = parameters::Default_named_parameters>
+Quantization quantize(const T_mesh& t_mesh, const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr double degree = 3.14159265358979323846 / 180;
+  constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  const double alpha = choose_parameter(get_parameter(np, internal_np::maximum_deviation), 15.);
+  const double r = choose_parameter(get_parameter(np, internal_np::maximum_displacement), 2.);
+  const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
+                                    0.01 * t_mesh.surface().diagonal());
+  const int least = choose_parameter(get_parameter(np, internal_np::minimum_valence), 3);
+  const int most = choose_parameter(get_parameter(np, internal_np::maximum_valence), 8);
+  const double seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 30.);
+  const double gap = choose_parameter(get_parameter(np, internal_np::relative_gap), 0.01);
+
+  const auto check = [](bool holds, const char* name, auto value, const char* demand) {
+    internal::check_quantization_parameter(holds, name, value, demand);
+  };
+  check(alpha > 0 && alpha < 90, "maximum_deviation", alpha, "between 0 and 90 degrees");
+  check(r >= 0 && r < infinity, "maximum_displacement", r, "a finite number >= 0");
+  check(h > 0 && h < infinity, "target_edge_length", h, "a finite number > 0");
+  check(least >= 1 && least <= 4, "minimum_valence", least, "in 1 to 4");
+  check(most >= 4, "maximum_valence", most, "at least 4");
+  check(seconds > 0, "maximum_running_time", seconds, "a number > 0");
+  check(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
+
+  const internal::Quantization_options options{{std::tan(alpha * degree), 2 * r * h, 4 - most, 4 - least}, seconds, gap};
+  const internal::Monitor monitor = internal::monitor_from(np);
+  return monitor.run("quantize", [&] {
+    return internal::Quantization_search<MixedIntegerProgramTraits>(t_mesh, options, monitor).run();
+  });
+}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_QUANTIZE_H
