@@ -21,8 +21,8 @@ namespace internal {
 // The points at which traces cross the edges of the surface, in one ordered list per edge.
 //
 // Their order is combinatorial: a point is inserted between two others, and keeps its place.
-// Parameters t along the edge only propose a place. They never decrease along the list, but coincide
-// where lines converge beyond the resolution of numbers.
+// Parameters t along the edge only propose a place. They never decrease along the list, but
+// coincide where lines converge beyond the resolution of numbers.
 class Edge_order
 {
 public:
