@@ -26,7 +26,7 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsSolvers
 
-solves mixed integer programs by branch and cut with \ref thirdpartyGLPK "GLPK".
+solves mixed integer programs by branch and cut with GLPK (5.0 or later).
 
 Unlike `CGAL::GLPK_mixed_integer_program_traits` it tells infeasible programs from solved ones, has limits, takes a start
 solution, and hands the rows over in an order that is the same on every run. GLPK writes nothing
