@@ -57,6 +57,8 @@ public:
   // given face.
   Map_heading entered(const Map_heading& heading) const
   {
+    if (!heading.is_valid())
+      return {};
     for (int h = 3 * heading.face; h < 3 * heading.face + 3; ++h)
       if (m_map.coordinates(h) == heading.position)
         return entered_at_vertex(heading, h);
@@ -178,18 +180,17 @@ private:
   }
 
   // turns counter-clockwise from the corner h until the line leaves through the edge opposite the
-  // vertex. The first corner is tried again in the end: at a vertex of valence 2 the line may have
-  // turned into it.
+  // vertex. A vertex of valence 1 has all four directions within four rounds, and a part of a fifth.
   Map_heading entered_at_vertex(Map_heading heading, int h) const
   {
     const int first = h;
-    bool around = false;
+    int rounds = 0;
     while (exit(heading) != Surface::next(h)) {
-      if (around)
+      if (rounds == 5)
         return {};
       heading = crossed(Surface::prev(h), heading);
       h = m_map.surface().turn_left(h);
-      around = h == first;
+      rounds += h == first;
     }
     return heading;
   }
