@@ -184,6 +184,22 @@ BOOST_AUTO_TEST_CASE(curves_join_the_layout_vertices)
   }
 }
 
+// a corner's chart has four directions, though fewer lines leave a vertex of valence 2 or 3
+BOOST_AUTO_TEST_CASE(all_directions_at_low_valences)
+{
+  for (const Quad_layout& layout : {cube(), pillow()}) {
+    const Integer_grid_map map = synthetic::make_map(layout, lengths_for(layout));
+    const QL::internal::Line_tracer lines(map);
+    for (const Integer_grid_map::Anchor& anchor : map.anchors)
+      for (int direction = 0; direction < 4; ++direction) {
+        const int face = synthetic::Surface::face(anchor.corner);
+        const auto heading = lines.entered({face, map.coordinates(anchor.corner), direction});
+        BOOST_REQUIRE(heading.is_valid());
+        BOOST_TEST((lines.entered(heading) == heading));
+      }
+  }
+}
+
 // whatever is broken in a map, extraction notices it
 BOOST_AUTO_TEST_CASE(broken_maps_are_refused)
 {
