@@ -53,16 +53,22 @@ public:
 private:
   bool anchor_component(const Cone_place& cone)
   {
-    const auto& surface = m_map.surface();
-    const int corner = surface.halfedge(cone.surface_vertex);
-    Map_heading heading =
-      m_lines.entered({Triangle_surface::face(corner), m_map.coordinates(corner), 0});
+    Map_heading heading = some_heading(m_map.surface().halfedge(cone.surface_vertex));
     for (int k = 0; k < m_layout.valence(cone.layout_vertex); ++k) {
       if (heading.is_valid() && is_consistent(cone.layout_vertex, heading))
         return true;
       heading = m_lines.entered(heading.turned(1));
     }
     return false;
+  }
+
+  // a direction that leaves through a face at the source of `corner`; less than four quarter-turns may be all there are
+  Map_heading some_heading(int corner) const
+  {
+    Map_heading heading;
+    for (int d = 0; d < 4 && !heading.is_valid(); ++d)
+      heading = m_lines.entered({Triangle_surface::face(corner), m_map.coordinates(corner), d});
+    return heading;
   }
 
   // tries `heading` for the first halfedge of v; undoes everything if some edge does not arrive where it should

@@ -239,7 +239,8 @@ private:
       m_load[entry.first] =
         entry.first < m_t_mesh.number_of_vertices() ? m_t_mesh.index(entry.first) : 0;
     for (auto it = tree.rbegin(); it != tree.rend(); ++it) {
-      const auto [child, link] = *it;
+      const int child = it->first;
+      const Link* link = it->second;
       const int load = std::exchange(m_load[child], 0);
       if (!link || load == 0)
         continue;
