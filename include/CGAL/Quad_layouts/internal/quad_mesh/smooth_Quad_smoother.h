@@ -69,6 +69,7 @@ public:
       sweep_unsettled([this](int v) { improve_shape(v); });
     }
     untangle();
+    polish_worst();
   }
 
 private:
@@ -169,12 +170,12 @@ private:
   }
 
   // makes a Newton step on the energy of the star
-  void improve_shape(int v)
+  void improve_shape(int v, double spring_weight = 1)
   {
     const double l2 = m_star.squared_edge_length();
     if (!(l2 > 0))
       return;
-    const double spring = 1 / l2, before = m_star.energy(m_star.position(), spring);
+    const double spring = spring_weight / l2, before = m_star.energy(m_star.position(), spring);
     try_move(v, newton_step(m_normals[v], spring, std::sqrt(l2)),
              [&](const Vector& y) { return m_star.energy(y, spring) < before; });
   }
@@ -265,6 +266,21 @@ private:
       else
         for (std::size_t i = 0; i < region.size(); ++i)
           move(region[i], old[i]);
+    }
+  }
+
+  // optimizes angles near the worst quads again, with hardly any regard to lengths
+  void polish_worst()
+  {
+    constexpr double poor = 0.6, weak_spring = 0.05;
+    for (int rings = 1; rings <= 3; ++rings) {
+      std::vector<int> quads;
+      for (int f = 0; f < m_mesh.number_of_faces(); ++f)
+        if (scaled_jacobian(quad_of(m_mesh, f)) < poor)
+          quads.push_back(f);
+      const std::vector<int> region = surroundings(quads, rings);
+      for (int i = 0; i < 20; ++i)
+        sweep(region, [this](int v) { improve_shape(v, weak_spring); });
     }
   }
 
