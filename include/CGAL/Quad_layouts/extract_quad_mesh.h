@@ -17,8 +17,10 @@
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_grid_points.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 

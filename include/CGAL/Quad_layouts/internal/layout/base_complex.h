@@ -12,6 +12,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
