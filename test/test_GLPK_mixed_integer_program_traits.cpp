@@ -20,7 +20,7 @@ namespace internal = CGAL::Quad_layouts::internal;
 
 using Traits = CGAL::Quad_layouts::GLPK_mixed_integer_program_traits<double>;
 
-constexpr double infinity = 1e20;     // of CGAL's traits
+constexpr double infinity = 1e20; // of CGAL's traits
 
 // 2 x + y >= 2.5 with small integers: 1.9 x + y is least at (1, 1)
 BOOST_AUTO_TEST_CASE(finds_the_optimum_and_tells_infeasibility)
@@ -49,8 +49,8 @@ BOOST_AUTO_TEST_CASE(finds_the_optimum_and_tells_infeasibility)
   BOOST_TEST(traits.solution().empty());
 }
 
-// A market split problem: binary sums that must hit several values exactly. Branch and bound has little to
-// hold on to.
+// A market split problem: binary sums that must hit several values exactly. Branch and bound has
+// little to hold on to.
 void make_hard(Traits& traits)
 {
   constexpr int variables = 40, rows = 4;
@@ -100,6 +100,8 @@ BOOST_AUTO_TEST_CASE(respects_limits)
 
 BOOST_AUTO_TEST_CASE(survives_fatal_errors_of_glpk)
 {
-  BOOST_TEST(!internal::run_guarded_from_glpk([](void*) { glp_add_rows(glp_create_prob(), -1); }, nullptr));
-  BOOST_TEST(internal::run_guarded_from_glpk([](void*) { glp_delete_prob(glp_create_prob()); }, nullptr));
+  BOOST_TEST(!internal::run_guarded_from_glpk([](void*) { glp_add_rows(glp_create_prob(), -1); },
+                                              nullptr));
+  BOOST_TEST(
+      internal::run_guarded_from_glpk([](void*) { glp_delete_prob(glp_create_prob()); }, nullptr));
 }

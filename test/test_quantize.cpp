@@ -44,7 +44,8 @@ internal::Quantization_demands demands_of(const QL::T_mesh& t, double alpha, dou
 }
 
 // what must hold for every result
-void check(const QL::T_mesh& t, const QL::Quantization& q, const internal::Quantization_demands& demands)
+void check(const QL::T_mesh& t, const QL::Quantization& q,
+           const internal::Quantization_demands& demands)
 {
   BOOST_REQUIRE_NE(q.status, QL::Quantization::INFEASIBLE);
   const auto program = internal::build_quantization_program(t, demands);
@@ -57,7 +58,8 @@ void check(const QL::T_mesh& t, const QL::Quantization& q, const internal::Quant
   BOOST_TEST(report.valid, report.reason);
   for (const auto& cluster : report.clusters)
     if (cluster.nodes.size() > 1 && q.violated == 0)
-      BOOST_TEST((cluster.index >= demands.minimum_index && cluster.index <= demands.maximum_index));
+      BOOST_TEST(
+          (cluster.index >= demands.minimum_index && cluster.index <= demands.maximum_index));
 }
 
 QL::T_mesh traced(const generated::Mesh& mesh, double alpha, double r)
@@ -71,7 +73,8 @@ void check_on(const generated::Mesh& mesh)
   double coarsest = (std::numeric_limits<double>::max)();
   for (const double r : {0., 2.}) {
     const QL::T_mesh t = traced(mesh, 15, r);
-    const auto np = parameters::maximum_deviation(15).maximum_displacement(r).maximum_running_time(5);
+    const auto np = parameters::maximum_deviation(15).maximum_displacement(r).maximum_running_time(
+        5);
     const QL::Quantization q = QL::quantize(t, np);
     check(t, q, demands_of(t, 15, r));
     BOOST_TEST(q.objective <= coarsest * (1 + 1e-9));
@@ -88,7 +91,8 @@ BOOST_AUTO_TEST_SUITE(reduction)
 BOOST_AUTO_TEST_CASE(keeps_minimal_sets)
 {
   const std::vector<std::vector<int>> minimal = {{5}, {1, 2}, {2, 3, 4}};
-  BOOST_TEST((internal::minimal_sets({{1, 2, 3}, {2, 3, 4}, {1, 2}, {4, 5}, {5}, {1, 2}}) == minimal));
+  BOOST_TEST(
+      (internal::minimal_sets({{1, 2, 3}, {2, 3, 4}, {1, 2}, {4, 5}, {5}, {1, 2}}) == minimal));
 }
 
 // The arcs of the cube in one direction share a variable; four arcs make a loop that costs 4.
@@ -139,7 +143,8 @@ BOOST_AUTO_TEST_CASE(separates_the_corners_of_a_cube)
   BOOST_TEST(q.arc_length == std::vector<int>(12, 1), boost::test_tools::per_element());
 }
 
-// The ends of each edge are within reach, but two corners of index 1 have index 2, which is valence 2.
+// The ends of each edge are within reach, but two corners of index 1 have index 2, which is valence
+// 2.
 BOOST_AUTO_TEST_CASE(merges_corners_only_where_the_valence_allows)
 {
   const QL::T_mesh t = with_surface(hand_made::cube());
@@ -154,7 +159,8 @@ BOOST_AUTO_TEST_CASE(merges_corners_only_where_the_valence_allows)
   BOOST_TEST(internal::examine_quotient(t, pillow.arc_length).valid);
 }
 
-// Nothing keeps the seeds apart, so the rows alone allow length 0 everywhere: the cuts leave one dual loop per direction.
+// Nothing keeps the seeds apart, so the rows alone allow length 0 everywhere: the cuts leave one
+// dual loop per direction.
 BOOST_AUTO_TEST_CASE(keeps_the_handle_of_a_torus)
 {
   const QL::T_mesh t = with_surface(hand_made::torus(3, 2));
@@ -193,13 +199,15 @@ BOOST_AUTO_TEST_CASE(generated_surfaces)
   check_on(generated::noisy(generated::icosphere(3), 0.05, 7));
   check_on(generated::slab_with_holes(2, 4));
   check_on(generated::torus(24, 12));
-  check_on(generated::disjoint_union(generated::cube(6), generated::translated(generated::icosphere(3),
-                                                                               generated::Vector(5, 0, 0))));
+  check_on(generated::disjoint_union(
+      generated::cube(6),
+      generated::translated(generated::icosphere(3), generated::Vector(5, 0, 0))));
 }
 
 BOOST_AUTO_TEST_CASE(real_surfaces)
 {
-  for (const char* name : {"meshes/elephant.off", "meshes/blobby.off", "meshes/fandisk_large.off"}) {
+  for (const char* name :
+       {"meshes/elephant.off", "meshes/blobby.off", "meshes/fandisk_large.off"}) {
     const std::string path = CGAL::data_file_path(name);
     generated::Mesh mesh;
     if (!std::ifstream(path) || !CGAL::IO::read_polygon_mesh(path, mesh)) {
@@ -207,7 +215,7 @@ BOOST_AUTO_TEST_CASE(real_surfaces)
       continue;
     }
     BOOST_TEST_CONTEXT(name)
-      check_on(mesh);
+    check_on(mesh);
   }
 }
 
@@ -272,7 +280,8 @@ public:
 BOOST_AUTO_TEST_CASE(takes_any_solver)
 {
   const QL::T_mesh t = with_surface(hand_made::cube());
-  const auto q = QL::quantize<Idle_traits>(t, parameters::target_edge_length(1).maximum_displacement(0));
+  const auto q = QL::quantize<Idle_traits>(
+      t, parameters::target_edge_length(1).maximum_displacement(0));
   BOOST_TEST(q.status == QL::Quantization::FEASIBLE);
   BOOST_TEST(q.objective == 12);
   BOOST_TEST(q.gap() == 1);

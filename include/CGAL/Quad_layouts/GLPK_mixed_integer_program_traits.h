@@ -28,10 +28,11 @@ namespace Quad_layouts {
 
 solves mixed integer programs by branch and cut with GLPK (5.0 or later).
 
-Unlike `CGAL::GLPK_mixed_integer_program_traits` it tells infeasible programs from solved ones, has limits, takes a start
-solution, and hands the rows over in an order that is the same on every run. GLPK writes nothing
-to the terminal, and its fatal errors end in the status `FAILED` instead of ending the process. After such an error the GLPK
-environment of the thread is renewed: other GLPK objects of the caller in this thread are lost.
+Unlike `CGAL::GLPK_mixed_integer_program_traits` it tells infeasible programs from solved ones, has
+limits, takes a start solution, and hands the rows over in an order that is the same on every run.
+GLPK writes nothing to the terminal, and its fatal errors end in the status `FAILED` instead of
+ending the process. After such an error the GLPK environment of the thread is renewed: other GLPK
+objects of the caller in this thread are lost.
 
 \cgalModels{QuadLayoutsMixedIntegerProgramTraits}
 */
@@ -47,11 +48,11 @@ public:
 
   /// is the outcome of `solve()`.
   enum Status {
-    OPTIMAL,      ///< the solution is optimal within the relative gap
-    FEASIBLE,     ///< there is a solution, but a limit ended the search
-    INFEASIBLE,   ///< there is no solution
-    UNKNOWN,      ///< a limit ended the search before a solution was found
-    FAILED        ///< the solver gave up
+    OPTIMAL,    ///< the solution is optimal within the relative gap
+    FEASIBLE,   ///< there is a solution, but a limit ended the search
+    INFEASIBLE, ///< there is no solution
+    UNKNOWN,    ///< a limit ended the search before a solution was found
+    FAILED      ///< the solver gave up
   };
 
   /// \name Limits
@@ -60,7 +61,8 @@ public:
   /// bounds the nodes of the search tree: unlike the time limit, with the same result on every run.
   void set_node_limit(int nodes) { m_limits.nodes = nodes; }
   void set_relative_gap(double gap) { m_limits.relative_gap = gap; }
-  /// sets what is asked now and then if the search is to end; an exception thrown by it leaves `solve()`.
+  /// sets what is asked now and then if the search is to end; an exception thrown by it leaves
+  /// `solve()`.
   void set_interrupt(std::function<bool()> stop) { m_stop = std::move(stop); }
   /// @}
 
@@ -85,7 +87,7 @@ public:
     search.stop = [&] {
       try {
         return m_stop && m_stop();
-      } catch (...) {         // it must not pass through the frames of a C library
+      } catch (...) { // it must not pass through the frames of a C library
         exception = std::current_exception();
         return true;
       }
@@ -138,7 +140,9 @@ private:
   static double finite(FT bound)
   {
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
-    return bound >= Variable::infinity() ? infinity : bound <= -Variable::infinity() ? -infinity : double(bound);
+    return bound >= Variable::infinity()    ? infinity
+           : bound <= -Variable::infinity() ? -infinity
+                                            : double(bound);
   }
 
   bool take_result(const internal::Glpk_search& search)

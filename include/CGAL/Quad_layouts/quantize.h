@@ -42,19 +42,21 @@ void check_quantization_parameter(bool holds, const char* name, Number value, co
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-gives each arc of a T-mesh a non-negative integer length, so that the T-mesh becomes a conforming quad layout that is as
-simple as the limits on deviation and displacement allow.
+gives each arc of a T-mesh a non-negative integer length, so that the T-mesh becomes a conforming
+quad layout that is as simple as the limits on deviation and displacement allow.
 
-Arcs of length 0 are collapsed in the layout; singularities joined by them merge. The lengths minimise the
-total length of all dual loops of the layout, subject to the relaxed integer program of \cgalCite{lck-sqlrs-21}, Section 4:
-opposite sides of all patches are equally long; singularities that are out of reach of each other stay separate; those
-that merge have indices that add up to an index in the permitted range; and separatrices that would deviate too
-much do not form. Conditions that no quantization of the T-mesh can satisfy are given up and counted
-(Equations (7) to (9)). Beyond the program of the paper every result is a valid layout of the same surface: collapsing
-arcs changes neither topology nor orientation, and no merged vertex has an index out of range unnoticed.
+Arcs of length 0 are collapsed in the layout; singularities joined by them merge. The lengths
+minimise the total length of all dual loops of the layout, subject to the relaxed integer program of
+\cgalCite{lck-sqlrs-21}, Section 4: opposite sides of all patches are equally long; singularities
+that are out of reach of each other stay separate; those that merge have indices that add up to an
+index in the permitted range; and separatrices that would deviate too much do not form. Conditions
+that no quantization of the T-mesh can satisfy are given up and counted (Equations (7) to (9)).
+Beyond the program of the paper every result is a valid layout of the same surface: collapsing arcs
+changes neither topology nor orientation, and no merged vertex has an index out of range unnoticed.
 
-Programs with up to about two hundred singularities are solved to the relative gap in seconds. The result does
-not depend on the speed of the machine as long as the time limit is not reached.
+Programs with up to about a hundred singularities are mostly solved to the relative gap in less than
+a second. The result does not depend on the speed of the machine as long as no part of the search
+reaches its share of the time limit.
 
 @tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
         `GLPK_mixed_integer_program_traits<double>`
@@ -65,15 +67,15 @@ not depend on the speed of the machine as long as the time limit is not reached.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{maximum_deviation}
-    \cgalParamDescription{the angle, in degrees, by which layout edges may deviate from the traces. It should be the one that
-                          the T-mesh was traced with.}
+    \cgalParamDescription{the angle, in degrees, by which layout edges may deviate from the traces.
+                          It should be the one that the T-mesh was traced with.}
     \cgalParamType{double}
     \cgalParamDefault{`15`}
     \cgalParamExtra{It must be greater than 0 and less than 90.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_displacement}
-    \cgalParamDescription{how far singularities may move, in units of the target edge length. With 0 none merge
-                          that can stay separate.}
+    \cgalParamDescription{how far singularities may move, in units of the target edge length. With 0
+                          none merge that can stay separate.}
     \cgalParamType{double}
     \cgalParamDefault{`2`}
     \cgalParamExtra{It must not be negative.}
@@ -84,15 +86,15 @@ not depend on the speed of the machine as long as the time limit is not reached.
     \cgalParamDefault{one percent of the diagonal of the bounding box of the surface}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_valence}
-    \cgalParamDescription{the least number of edges at a layout vertex; singularities of lower valence remain if they do not
-                          merge}
+    \cgalParamDescription{the least number of edges at a layout vertex; singularities of lower
+                          valence remain if they do not merge}
     \cgalParamType{int}
     \cgalParamDefault{`3`}
     \cgalParamExtra{It must be in 1 to 4.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_valence}
-    \cgalParamDescription{the greatest number of edges at a layout vertex; singularities of higher valence remain if they do
-                          not merge}
+    \cgalParamDescription{the greatest number of edges at a layout vertex; singularities of higher
+                          valence remain if they do not merge}
     \cgalParamType{int}
     \cgalParamDefault{`8`}
     \cgalParamExtra{It must be at least 4.}
@@ -103,8 +105,8 @@ not depend on the speed of the machine as long as the time limit is not reached.
     \cgalParamDefault{`30`}
   \cgalParamNEnd
   \cgalParamNBegin{relative_gap}
-    \cgalParamDescription{how far, relatively, the objective may be above the proven bound for the search to end; within it a
-                          solution counts as optimal}
+    \cgalParamDescription{how far, relatively, the objective may be above the proven bound for the
+                          search to end; within it a solution counts as optimal}
     \cgalParamType{double}
     \cgalParamDefault{`0.01`}
     \cgalParamExtra{It must be in 0 to 1.}
@@ -116,18 +118,20 @@ not depend on the speed of the machine as long as the time limit is not reached.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-@return the lengths, with the proof of their quality. The status is `INFEASIBLE` if there is no valid layout, which
-        happens only if arcs around a handle have length 0 in every quantization.
+@return the lengths, with the proof of their quality. The status is `INFEASIBLE` if there is no
+        valid layout, which happens only if arcs around a handle have length 0 in every
+        quantization.
 
 \throw Invalid_parameter if a parameter is out of its range.
 \throw Cancelled if the visitor asks to stop.
 
-The first solution takes time about quadratic in the number of traces. The program is NP-hard: its optimum
-takes exponential time in the worst case.
+The first solution takes time about quadratic in the number of traces. The program is NP-hard: its
+optimum takes exponential time in the worst case.
 */
 template <class MixedIntegerProgramTraits = GLPK_mixed_integer_program_traits<double>,
           class NamedParameters = parameters::Default_named_parameters>
-Quantization quantize(const T_mesh& t_mesh, const NamedParameters& np = parameters::default_values())
+Quantization quantize(const T_mesh& t_mesh,
+                      const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -140,7 +144,8 @@ Quantization quantize(const T_mesh& t_mesh, const NamedParameters& np = paramete
                                     0.01 * t_mesh.surface().diagonal());
   const int least = choose_parameter(get_parameter(np, internal_np::minimum_valence), 3);
   const int most = choose_parameter(get_parameter(np, internal_np::maximum_valence), 8);
-  const double seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time), 30.);
+  const double seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                          30.);
   const double gap = choose_parameter(get_parameter(np, internal_np::relative_gap), 0.01);
 
   const auto check = [](bool holds, const char* name, auto value, const char* demand) {
@@ -154,7 +159,8 @@ Quantization quantize(const T_mesh& t_mesh, const NamedParameters& np = paramete
   check(seconds > 0, "maximum_running_time", seconds, "a number > 0");
   check(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
 
-  const internal::Quantization_options options{{std::tan(alpha * degree), 2 * r * h, 4 - most, 4 - least}, seconds, gap};
+  const internal::Quantization_options options{
+      {std::tan(alpha * degree), 2 * r * h, 4 - most, 4 - least}, seconds, gap};
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("quantize", [&] {
     return internal::Quantization_search<MixedIntegerProgramTraits>(t_mesh, options, monitor).run();

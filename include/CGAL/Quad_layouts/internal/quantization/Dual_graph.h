@@ -9,7 +9,9 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 
-#include <boost/pending/disjoint_sets.hpp> // must come before the graphs, whose detail::get hides the one it needs
+// before the graphs of Boost, whose `detail::get` hides the one that it calls
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -24,15 +26,16 @@ namespace internal {
 
 // The ways in which a line can cross a T-mesh from side to opposite side of its patches.
 //
-// Arcs that must be equally long, because they are alone on opposite sides of a patch, share one *variable*.
-// A *state* is a variable and one of the two ways to cross it: 2v and 2v + 1. `successors(s)` are the
-// states in which a line can cross next. The consistent quantizations are the sums of closed walks (*dual loops*), because
-// units on opposite sides of each patch can be paired. Hence an arc on no closed walk has length 0 in every consistent
-// quantization; such arcs have no variable.
+// Arcs that must be equally long, because they are alone on opposite sides of a patch, share one
+// *variable*. A *state* is a variable and one of the two ways to cross it: 2v and 2v + 1.
+// `successors(s)` are the states in which a line can cross next. The consistent quantizations are
+// the sums of closed walks (*dual loops*), because units on opposite sides of each patch can be
+// paired. Hence an arc on no closed walk has length 0 in every consistent quantization; such arcs
+// have no variable.
 class Dual_graph
 {
 public:
-  using Walk = std::vector<int>;      // states in order; the first one follows the last one
+  using Walk = std::vector<int>; // states in order; the first one follows the last one
 
   explicit Dual_graph(const T_mesh& t_mesh) : m_state(t_mesh.number_of_halfedges(), -1)
   {
@@ -47,7 +50,8 @@ public:
 
   int number_of_variables() const { return int(m_successors.size()) / 2; }
   int number_of_states() const { return int(m_successors.size()); }
-  // the state of a line that crosses the arc of `h` into the patch of `h`; -1 if no closed line does
+  // the state of a line that crosses the arc of `h` into the patch of `h`; -1 if no closed line
+  // does
   int state(int h) const { return m_state[h]; }
   // -1 if the arc has length 0 in every consistent quantization
   int variable(int arc) const { return m_state[2 * arc] < 0 ? -1 : m_state[2 * arc] / 2; }
@@ -68,9 +72,13 @@ private:
   }
 
   const std::vector<int>& opposite_side(int h) const { return m_arcs[m_side[h] ^ 2]; }
-  bool is_simple(int h) const { return m_arcs[m_side[h]].size() == 1 && opposite_side(h).size() == 1; }
+  bool is_simple(int h) const
+  {
+    return m_arcs[m_side[h]].size() == 1 && opposite_side(h).size() == 1;
+  }
 
-  // gives the halfedges of `first` and of all arcs joined to it by simple patches the states 2v and 2v + 1
+  // gives the halfedges of `first` and of all arcs joined to it by simple patches the states 2v and
+  // 2v + 1
   void share(int first, int v)
   {
     for (int direction : {0, 1}) {
@@ -79,7 +87,7 @@ private:
       m_state[h ^ 1] = 2 * v + 1 - direction;
       while (is_simple(h)) {
         h = T_mesh::opposite(opposite_side(h).front());
-        if (m_state[h] >= 0)      // the strip is closed
+        if (m_state[h] >= 0) // the strip is closed
           return;
         m_state[h] = 2 * v + direction;
         m_state[h ^ 1] = 2 * v + 1 - direction;
@@ -96,7 +104,7 @@ private:
           m_successors[m_state[h]].push_back(m_state[T_mesh::opposite(g)]);
     for (int s = 0; s < states; ++s) {
       auto& next = m_successors[s];
-      if (next.empty())           // simple patches all the way around
+      if (next.empty()) // simple patches all the way around
         next.push_back(s);
       std::sort(next.begin(), next.end());
       next.erase(std::unique(next.begin(), next.end()), next.end());
@@ -110,8 +118,8 @@ private:
       for (int t : m_successors[s])
         add_edge(s, t, graph);
     std::vector<int> component(m_successors.size());
-    boost::strong_components(graph, boost::make_iterator_property_map(component.begin(),
-                                                                      get(boost::vertex_index, graph)));
+    boost::strong_components(graph, boost::make_iterator_property_map(
+                                        component.begin(), get(boost::vertex_index, graph)));
     return component;
   }
 
@@ -142,7 +150,7 @@ private:
   }
 
   std::vector<int> m_state, m_side;
-  std::vector<std::vector<int>> m_arcs;         // per side of a patch
+  std::vector<std::vector<int>> m_arcs; // per side of a patch
   std::vector<std::vector<int>> m_successors;
 };
 

@@ -19,14 +19,16 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The best valid solution so far. Nothing gets in that has not been checked here, wherever it comes from.
+// The best valid solution so far. Nothing gets in that has not been checked here, wherever it comes
+// from.
 class Incumbent
 {
 public:
   // `program` gets the cuts that are found
   Incumbent(const T_mesh& t_mesh, const Quantization_program& paper, const Dual_graph& graph,
             Reduced_program& program)
-    : m_t_mesh(t_mesh), m_graph(graph), m_program(program), m_validity(t_mesh, paper, program), m_search(graph)
+    : m_t_mesh(t_mesh), m_graph(graph), m_program(program), m_validity(t_mesh, paper, program),
+      m_search(graph)
   {
   }
 
@@ -37,7 +39,8 @@ public:
   // how often a solution was found not to be a valid layout
   int rounds() const { return m_rounds; }
 
-  // finds a first solution, and says if there is one: a cheap sum of loops, or one in which all that can be separate is
+  // finds a first solution, and says if there is one: a cheap sum of loops, or one in which all
+  // that can be separate is
   bool start()
   {
     Loop_sum sum(m_program.number_of_variables());

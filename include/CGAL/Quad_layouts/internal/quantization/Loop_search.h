@@ -23,17 +23,19 @@ namespace internal {
 // The variables that a dual loop crosses, with repetitions.
 using Loop = std::vector<int>;
 
-// Finds cheapest dual loops by Dijkstra's algorithm on the states of a dual graph. The arrays are kept between searches.
+// Finds cheapest dual loops by Dijkstra's algorithm on the states of a dual graph. The arrays are
+// kept between searches.
 class Loop_search
 {
 public:
   explicit Loop_search(const Dual_graph& graph)
-    : m_graph(graph), m_distance(graph.number_of_states(), infinity()), m_parent(graph.number_of_states(), -1)
+    : m_graph(graph), m_distance(graph.number_of_states(), infinity()),
+      m_parent(graph.number_of_states(), -1)
   {
   }
 
-  // returns the cheapest loop through one of `variables`, where each passage of variable v costs `price[v]`, which
-  // must not be negative. There is one: the graph has no dead ends.
+  // returns the cheapest loop through one of `variables`, where each passage of variable v costs
+  // `price[v]`, which must not be negative. There is one: the graph has no dead ends.
   Loop cheapest_loop(const std::vector<int>& variables, const std::vector<double>& price)
   {
     Loop best;
@@ -52,7 +54,8 @@ public:
 private:
   static constexpr double infinity() { return (std::numeric_limits<double>::max)(); }
 
-  // returns the length of the shortest closed walk from `start` if it is below `limit`, else infinity
+  // returns the length of the shortest closed walk from `start` if it is below `limit`, else
+  // infinity
   double search(int start, const std::vector<double>& price, double limit)
   {
     for (int s : m_reached)

@@ -34,9 +34,10 @@ public:
     m_loops.push_back(std::move(loop));
   }
 
-  // adds cheapest loops, where passing v costs `price[v]`, until all rows of `program` hold; of soft index rows, all
-  // that can
-  void complete(const Reduced_program& program, const std::vector<double>& price, Loop_search& search)
+  // adds cheapest loops, where passing v costs `price[v]`, until all rows of `program` hold; of
+  // soft index rows, all that can
+  void complete(const Reduced_program& program, const std::vector<double>& price,
+                Loop_search& search)
   {
     const Program_evaluation rows(program, m_x);
     satisfy_covers(program, price, search);
@@ -56,12 +57,14 @@ public:
     }
   }
 
-  // takes away loops, expensive ones first, as long as this makes the objective smaller and keeps all rows
+  // takes away loops, expensive ones first, as long as this makes the objective smaller and keeps
+  // all rows
   void prune(const Reduced_program& program)
   {
     const Program_evaluation rows(program, m_x);
     const auto cost = [&](const Loop& loop) {
-      return std::accumulate(loop.begin(), loop.end(), 0., [&](double c, int v) { return c + program.cost[v]; });
+      return std::accumulate(loop.begin(), loop.end(), 0.,
+                             [&](double c, int v) { return c + program.cost[v]; });
     };
     std::stable_sort(m_loops.begin(), m_loops.end(),
                      [&](const Loop& a, const Loop& b) { return cost(a) > cost(b); });
@@ -87,7 +90,8 @@ private:
   }
 
   // a variable is the cheaper the more open rows it would satisfy
-  void satisfy_covers(const Reduced_program& program, const std::vector<double>& price, Loop_search& search)
+  void satisfy_covers(const Reduced_program& program, const std::vector<double>& price,
+                      Loop_search& search)
   {
     const Program_evaluation rows(program, m_x);
     std::vector<int> open_rows(m_x.size(), 0);

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes the boxes of a large-neighbourhood search: free near a singularity, and along the dual loops through
-// this region.
+// Makes the boxes of a large-neighbourhood search: free near a singularity, and along the dual
+// loops through this region.
 class Neighbourhoods
 {
 public:

@@ -24,14 +24,14 @@ namespace internal {
 // What the user asks of a quantization, in the units of the T-mesh.
 struct Quantization_demands
 {
-  double tangent;        // of the largest deviation alpha
-  double reach;          // 2r as a length: what two vertices that move towards each other can bridge
-  int minimum_index;     // of a layout vertex, in quarters
+  double tangent;    // of the largest deviation alpha
+  double reach;      // 2r as a length: what two vertices that move towards each other can bridge
+  int minimum_index; // of a layout vertex, in quarters
   int maximum_index;
 };
 
-// The integer program of [LCK21b], Section 4.5, as plain data over the arcs of a T-mesh. Nothing is simplified here:
-// this is what a quantization is checked against.
+// The integer program of [LCK21b], Section 4.5, as plain data over the arcs of a T-mesh. Nothing is
+// simplified here: this is what a quantization is checked against.
 struct Quantization_program
 {
   // sum of q over the first side = sum of q over the second side
@@ -39,15 +39,16 @@ struct Quantization_program
   {
     std::vector<int> left, right;
   };
-  // rows (2) and (6) of one trace: per entry k, the sum of q over the first k arcs must be positive; ascending
+  // rows (2) and (6) of one trace: per entry k, the sum of q over the first k arcs must be
+  // positive; ascending
   using Prefixes = std::vector<int>;
 
-  std::vector<double> weight;           // per arc, Equation (1)
-  std::vector<Equation> equations;      // two per patch
-  std::vector<Prefixes> prefixes;       // per trace
-  std::vector<int> singularities;       // the nodes that have an index row (5)
-  std::vector<Close_pair> pairs;        // the indicators (3), one per unordered pair
-  std::vector<std::pair<int, int>> index_range;    // per node, for its row (5)
+  std::vector<double> weight;                   // per arc, Equation (1)
+  std::vector<Equation> equations;              // two per patch
+  std::vector<Prefixes> prefixes;               // per trace
+  std::vector<int> singularities;               // the nodes that have an index row (5)
+  std::vector<Close_pair> pairs;                // the indicators (3), one per unordered pair
+  std::vector<std::pair<int, int>> index_range; // per node, for its row (5)
 
   // the penalty of a violated row, Equation (9)
   double penalty() const { return std::accumulate(weight.begin(), weight.end(), 0.); }
@@ -82,8 +83,8 @@ inline std::vector<Quantization_program::Equation> equations(const T_mesh& t_mes
   return result;
 }
 
-// returns per arc half the length of the patches beside it, across it: the length of a dual loop is then the
-// sum of the weights of the arcs that it crosses
+// returns per arc half the length of the patches beside it, across it: the length of a dual loop is
+// then the sum of the weights of the arcs that it crosses
 inline std::vector<double> weights(const T_mesh& t_mesh)
 {
   std::vector<double> result(t_mesh.number_of_edges(), 0.);
@@ -100,20 +101,21 @@ inline std::vector<double> weights(const T_mesh& t_mesh)
   return result;
 }
 
-// says if the trace that runs `own` until it meets one that has run `other` needs a positive prefix there. The
-// longer leg separates the two singularities, Equation (2), the shorter one keeps a separatrix that
-// deviates too much from forming, Equation (6).
-inline bool must_be_positive(double own, double other, bool own_is_longer, const Quantization_demands& demands)
+// says if the trace that runs `own` until it meets one that has run `other` needs a positive prefix
+// there. The longer leg separates the two singularities, Equation (2), the shorter one keeps a
+// separatrix that deviates too much from forming, Equation (6).
+inline bool must_be_positive(double own, double other, bool own_is_longer,
+                             const Quantization_demands& demands)
 {
   return own_is_longer ? own > demands.reach
                        : own - demands.reach > demands.tangent * (other + demands.reach);
 }
 
-// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the one of the
-// later trace counts as the longer.
-inline std::vector<Quantization_program::Prefixes>
-prefixes(const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
-         const Quantization_demands& demands)
+// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the
+// one of the later trace counts as the longer.
+inline std::vector<Quantization_program::Prefixes> prefixes(
+    const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
+    const Quantization_demands& demands)
 {
   std::vector<Quantization_program::Prefixes> result(t_mesh.traces.size());
   for (const auto& visits : t_mesh.node_visits) {
@@ -154,7 +156,8 @@ inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
   result.equations = quantization_program::equations(t_mesh);
   result.prefixes = quantization_program::prefixes(t_mesh, lengths, demands);
   result.pairs = close_pairs(t_mesh, lengths, demands.reach);
-  result.index_range.assign(t_mesh.number_of_vertices(), {demands.minimum_index, demands.maximum_index});
+  result.index_range.assign(t_mesh.number_of_vertices(),
+                            {demands.minimum_index, demands.maximum_index});
   for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
     if (t_mesh.is_singularity_or_seed(n)) {
       result.singularities.push_back(n);

@@ -34,20 +34,23 @@ struct Quantization_options
   double relative_gap = 0.01;
 };
 
-// Solves the program of [LCK21b] for a T-mesh, in four steps that each begin with the best solution so far:
+// Solves the program of [LCK21b] for a T-mesh, in four steps that each begin with the best solution
+// so far:
 // - a greedy sum of dual loops;
-// - branch and cut in the whole program, which ends with the optimum for some hundred singularities that rarely can
-//   merge, and gives a bound for the others;
-// - branch and cut where only variables that are positive in the solution or in the relaxation are free;
+// - branch and cut in the whole program, which ends with the optimum for some hundred singularities
+//   that rarely can merge, and gives a bound for the others;
+// - branch and cut where only variables that are positive in the solution or in the relaxation are
+//   free;
 // - branch and cut in ever larger neighbourhoods.
 //
-// The effort of the solver is bounded by nodes of its search tree, so that results can be repeated; time limits are the
-// last resort. Bounds are those of the program with all cuts.
+// The effort of the solver is bounded by nodes of its search tree, so that results can be repeated;
+// time limits are the last resort. Bounds are those of the program with all cuts.
 template <class Traits>
 class Quantization_search
 {
 public:
-  Quantization_search(const T_mesh& t_mesh, const Quantization_options& options, const Monitor& monitor)
+  Quantization_search(const T_mesh& t_mesh, const Quantization_options& options,
+                      const Monitor& monitor)
     : m_t_mesh(t_mesh), m_options(options), m_monitor(monitor),
       m_paper(build_quantization_program(t_mesh, options.demands)), m_graph(t_mesh),
       m_program(reduce(t_mesh, m_paper, m_graph)), m_incumbent(t_mesh, m_paper, m_graph, m_program),
@@ -70,7 +73,10 @@ public:
   }
 
 private:
-  bool is_proven() const { return m_incumbent.objective() - m_bound <= m_options.relative_gap * m_incumbent.objective(); }
+  bool is_proven() const
+  {
+    return m_incumbent.objective() - m_bound <= m_options.relative_gap * m_incumbent.objective();
+  }
   bool is_done() const { return is_proven() || seconds_left() <= 0; }
   double seconds_left() const { return m_options.seconds - m_timer.time(); }
 
@@ -105,18 +111,19 @@ private:
     return result;
   }
 
-  // solves again as long as the solution is not valid and new cuts forbid it. An objective above the penalty could
-  // fall by violating a row: then the bound must come from the soft program.
+  // solves again as long as the solution is not valid and new cuts forbid it. An objective above
+  // the penalty could fall by violating a row: then the bound must come from the soft program.
   void search_whole_program()
   {
-    constexpr int nodes = 500;
+    constexpr int nodes = 200;
     m_program.covers_are_soft = m_incumbent.objective() > m_program.penalty;
     const Box everything(m_program.number_of_variables());
     std::size_t cuts;
     do {
       cuts = m_program.cuts.size();
       bool improved;
-      const Box_solution solution = search(everything, effort(nodes, 0.15, m_options.relative_gap / 2), improved);
+      const Box_solution solution = search(
+          everything, effort(nodes, 0.1, m_options.relative_gap / 2), improved);
       m_bound = (std::max)(m_bound, solution.bound);
       report();
       if (solution.status != Box_solution::OPTIMAL)
@@ -128,14 +135,16 @@ private:
   void search_support()
   {
     m_relaxation = solve_in_box<Traits>(m_program, Box(m_program.number_of_variables()), {},
-                                        effort((std::numeric_limits<int>::max)(), 0.3, 0), Domain::REALS).x;
+                                        effort((std::numeric_limits<int>::max)(), 0.3, 0),
+                                        Domain::REALS)
+                       .x;
     m_monitor.check("quantize");
     if (m_relaxation.empty())
       return;
     Box box(m_program.number_of_variables());
     restrict_to_support(box);
     bool improved;
-    search(box, effort(3000, 0.3, 0.001), improved);
+    search(box, effort(3000, 0.25, 0.001), improved);
   }
 
   // keeps variables at 0 that are 0 in the solution and in the relaxation
@@ -147,14 +156,15 @@ private:
         box.low[v] = box.high[v] = 0;
   }
 
-  // searches around one singularity after another. The neighbourhoods grow while they are solved to optimality, and
-  // every other one is restricted to the support. Ends when many in a row bring nothing.
+  // searches around one singularity after another. The neighbourhoods grow while they are solved to
+  // optimality, and every other one is restricted to the support. Ends when many in a row bring
+  // nothing.
   void search_neighbourhoods()
   {
     std::vector<int> order = m_paper.singularities;
-    const int patience = 20 + int(order.size()) / 8;
+    const int patience = 20 + int(order.size()) / 4;
     std::mt19937 random;
-    double size = 8;
+    double size = 16;
     int failures = 0;
     for (std::size_t i = 0; !is_done() && failures < patience; ++i) {
       const std::size_t k = i % order.size();
@@ -165,14 +175,16 @@ private:
       bool improved;
       const Box_solution solution = search(box, effort(100, 0.15, 0.001), improved);
       failures = improved ? 0 : failures + 1;
-      size = solution.status == Box_solution::OPTIMAL ? (std::min)(size * growth(), double(order.size()))
-                                                      : (std::max)(size / 1.1, 2.);
+      size = solution.status == Box_solution::OPTIMAL
+                 ? (std::min)(size * growth(), double(order.size()))
+                 : (std::max)(size / 1.1, 2.);
       m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
     }
   }
 
-  // small steps for many singularities: there is more to gain from a size before it is time for the next one
-  double growth() const { return 1 + 3. / m_paper.singularities.size(); }
+  // small steps for many singularities: there is more to gain from a size before it is time for the
+  // next one
+  double growth() const { return 1 + 6. / m_paper.singularities.size(); }
 
   // evaluates the solution anew, in the program of the paper
   Quantization result() const
@@ -180,8 +192,9 @@ private:
     Quantization result;
     result.variables = m_program.number_of_variables();
     result.indicators = int(m_program.indicators.size());
-    result.constraints = int(m_program.equations.size() + m_program.covers.size() + 2 * m_program.indicators.size() +
-                             m_program.index_rows.size() + m_program.cuts.size());
+    result.constraints = int(m_program.equations.size() + m_program.covers.size() +
+                             2 * m_program.indicators.size() + m_program.index_rows.size() +
+                             m_program.cuts.size());
     result.rounds = m_incumbent.rounds();
     const double lost = m_program.penalty * m_program.violated_rows;
     result.bound = m_bound + lost;
@@ -206,7 +219,7 @@ private:
   Incumbent m_incumbent;
   Neighbourhoods m_neighbourhoods;
   std::vector<double> m_relaxation;
-  double m_bound = 0;           // all costs are positive
+  double m_bound = 0; // all costs are positive
 };
 
 } // namespace internal

@@ -23,27 +23,29 @@ namespace internal {
 // An equivalent of `Quantization_program` in fewer variables and rows.
 //
 // - Arcs that share a variable of the dual graph have the same value; arcs without one are 0.
-// - Rows (2) and (6) of a trace ask for positive prefixes: the shortest one implies the others. Prefixes of length 0 in
-//   every consistent quantization are given up and counted. The others can be satisfied all at once, by the sum of dual
-//   loops through them, so they need no slack: paying the penalty is no gain while the whole rest of the
-//   objective is below it. Where it is not, slacks serve to prove this.
-// - Each row is a set: a variable that occurs twice in it counts once, which tightens the relaxation.
+// - Rows (2) and (6) of a trace ask for positive prefixes: the shortest one implies the others.
+//   Prefixes of length 0 in every consistent quantization are given up and counted. The others can
+//   be satisfied all at once, by the sum of dual loops through them, so they need no slack: paying
+//   the penalty is no gain while the whole rest of the objective is below it. Where it is not,
+//   slacks serve to prove this.
+// - Each row is a set: a variable that occurs twice in it counts once, which tightens the
+//   relaxation.
 // - Rows that contain another row are implied by it.
 struct Reduced_program
 {
-  using Set = std::vector<int>;         // of variables, sorted
+  using Set = std::vector<int>; // of variables, sorted
 
   // c = 1 if and only if the variables of the path are all 0
   struct Indicator
   {
-    int i, j;             // nodes
+    int i, j; // nodes
     Set path;
   };
   // low <= base + sum of the terms' coefficients over the indicators that are 1 <= high
   struct Index_row
   {
     int base, low, high;
-    std::vector<std::pair<int, int>> terms;       // indicator, coefficient
+    std::vector<std::pair<int, int>> terms; // indicator, coefficient
   };
   // some variable of the set is positive or some of the indicators is 1
   struct Cut
@@ -52,16 +54,17 @@ struct Reduced_program
     std::vector<int> indicators;
   };
 
-  std::vector<int> variable;            // per arc, -1: always 0
-  std::vector<double> cost;             // per variable
-  std::vector<std::vector<std::pair<int, int>>> equations;    // variable, coefficient; the sum is 0
-  std::vector<Set> covers;              // some variable is positive
+  std::vector<int> variable;                               // per arc, -1: always 0
+  std::vector<double> cost;                                // per variable
+  std::vector<std::vector<std::pair<int, int>>> equations; // variable, coefficient; the sum is 0
+  std::vector<Set> covers;                                 // some variable is positive
   std::vector<Indicator> indicators;
   std::vector<Index_row> index_rows;
-  std::vector<Cut> cuts;                // found while solving
-  int violated_rows = 0;                // of (2) and (6), in every quantization
-  bool covers_are_soft = false;         // as in (7)
-  bool index_rows_are_soft = false;     // as in (8): keeping all apart that can be kept apart violates some
+  std::vector<Cut> cuts;        // found while solving
+  int violated_rows = 0;        // of (2) and (6), in every quantization
+  bool covers_are_soft = false; // as in (7)
+  bool index_rows_are_soft =
+      false; // as in (8): keeping all apart that can be kept apart violates some
   double penalty = 0;
 
   int number_of_variables() const { return int(cost.size()); }
@@ -112,7 +115,8 @@ inline void add_equations(const Quantization_program& program, Reduced_program& 
 }
 
 // adds the shortest required prefix of each trace that can be positive at all
-inline void add_covers(const T_mesh& t_mesh, const Quantization_program& program, Reduced_program& result)
+inline void add_covers(const T_mesh& t_mesh, const Quantization_program& program,
+                       Reduced_program& result)
 {
   std::vector<Reduced_program::Set> sets;
   for (std::size_t t = 0; t < program.prefixes.size(); ++t) {
@@ -130,7 +134,8 @@ inline void add_covers(const T_mesh& t_mesh, const Quantization_program& program
 }
 
 // adds the indicators that are not constant, and the index rows that they can violate
-inline void add_index_rows(const T_mesh& t_mesh, const Quantization_program& program, Reduced_program& result)
+inline void add_index_rows(const T_mesh& t_mesh, const Quantization_program& program,
+                           Reduced_program& result)
 {
   std::vector<Reduced_program::Index_row> row(t_mesh.number_of_vertices());
   for (int n : program.singularities)
@@ -138,9 +143,9 @@ inline void add_index_rows(const T_mesh& t_mesh, const Quantization_program& pro
   const Subset_query covers(result.covers, result.number_of_variables());
   for (const Close_pair& pair : program.pairs) {
     const auto path = result.set_of(pair.path);
-    if (covers.has_subset_of(path))           // the two never merge
+    if (covers.has_subset_of(path)) // the two never merge
       continue;
-    if (path.empty()) {                       // they always do
+    if (path.empty()) { // they always do
       row[pair.i].base += t_mesh.index(pair.j);
       row[pair.j].base += t_mesh.index(pair.i);
       continue;

@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Examines layouts for what the rows of the program do not see, and turns it into cuts: loops of length 0 that change
-// the topology, and clusters of more singularities than pairs can see, whose index is out of range.
+// Examines layouts for what the rows of the program do not see, and turns it into cuts: loops of
+// length 0 that change the topology, and clusters of more singularities than pairs can see, whose
+// index is out of range.
 class Validity
 {
 public:
@@ -59,8 +60,8 @@ private:
     return internal::excess(cluster.index, low, high);
   }
 
-  // Some arc that holds the cluster together becomes positive, or a singularity of the index that is missing joins it.
-  // To forbid the cluster as such would forbid legal larger ones.
+  // Some arc that holds the cluster together becomes positive, or a singularity of the index that
+  // is missing joins it. To forbid the cluster as such would forbid legal larger ones.
   Reduced_program::Cut cut_of(const Merged_cluster& cluster) const
   {
     Reduced_program::Cut cut{m_program.set_of(cluster.tree_arcs), {}};
@@ -78,7 +79,8 @@ private:
       }
     }
     std::sort(cut.indicators.begin(), cut.indicators.end());
-    cut.indicators.erase(std::unique(cut.indicators.begin(), cut.indicators.end()), cut.indicators.end());
+    cut.indicators.erase(std::unique(cut.indicators.begin(), cut.indicators.end()),
+                         cut.indicators.end());
     return cut;
   }
 
@@ -94,7 +96,7 @@ private:
   const T_mesh& m_t_mesh;
   const Quantization_program& m_paper;
   Reduced_program& m_program;
-  std::map<int, std::vector<int>> m_indicators;     // per node
+  std::map<int, std::vector<int>> m_indicators; // per node
 };
 
 } // namespace internal

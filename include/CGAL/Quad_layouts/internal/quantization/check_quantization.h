@@ -20,10 +20,10 @@ namespace internal {
 // How arc lengths fare in the program of the paper. Counts are exact: they are made in integers.
 struct Quantization_check
 {
-  bool consistent = false;   // no negative length, and opposite sides of all patches are equally long
-  int violated_rows = 0;     // of (2) and (6)
-  int index_excess = 0;      // sum of h_i in (8)
-  double objective = 0;      // (9)
+  bool consistent = false; // no negative length, and opposite sides of all patches are equally long
+  int violated_rows = 0;   // of (2) and (6)
+  int index_excess = 0;    // sum of h_i in (8)
+  double objective = 0;    // (9)
 
   int violated() const { return violated_rows + index_excess; }
 };
@@ -41,7 +41,8 @@ inline int violated_prefixes(const T_mesh& t_mesh, const Quantization_program& p
                              const std::vector<int>& q)
 {
   const auto& arcs = t_mesh.traces[t].arcs;
-  const auto zero = std::find_if(arcs.begin(), arcs.end(), [&](int a) { return q[a] != 0; }) - arcs.begin();
+  const auto zero = std::find_if(arcs.begin(), arcs.end(), [&](int a) { return q[a] != 0; }) -
+                    arcs.begin();
   const auto& p = program.prefixes[t];
   return int(std::upper_bound(p.begin(), p.end(), int(zero)) - p.begin());
 }
@@ -60,16 +61,18 @@ inline std::vector<int> estimated_indices(const T_mesh& t_mesh, const Quantizati
 }
 
 // evaluates every constraint of the paper's program, with no knowledge of how `q` was found
-inline Quantization_check check_quantization(const T_mesh& t_mesh, const Quantization_program& program,
+inline Quantization_check check_quantization(const T_mesh& t_mesh,
+                                             const Quantization_program& program,
                                              const std::vector<int>& q)
 {
   Quantization_check result;
   if (q.size() != program.weight.size())
     return result;
-  result.consistent =
-    std::all_of(q.begin(), q.end(), [](int x) { return x >= 0; }) &&
-    std::all_of(program.equations.begin(), program.equations.end(),
-                [&](const auto& e) { return sum_over(e.left, q) == sum_over(e.right, q); });
+  result.consistent = std::all_of(q.begin(), q.end(), [](int x) { return x >= 0; }) &&
+                      std::all_of(program.equations.begin(), program.equations.end(),
+                                  [&](const auto& e) {
+                                    return sum_over(e.left, q) == sum_over(e.right, q);
+                                  });
   for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
     result.violated_rows += violated_prefixes(t_mesh, program, int(t), q);
   const std::vector<int> index = estimated_indices(t_mesh, program, q);

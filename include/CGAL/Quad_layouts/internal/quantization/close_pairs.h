@@ -21,10 +21,11 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Two singularities that may merge, and the shortest path of arcs between them, P_ij of [LCK21b], Section 4.2.
+// Two singularities that may merge, and the shortest path of arcs between them, P_ij of [LCK21b],
+// Section 4.2.
 struct Close_pair
 {
-  int i, j;                 // nodes, i < j
+  int i, j; // nodes, i < j
   std::vector<int> path;
 };
 
@@ -92,10 +93,11 @@ private:
   std::vector<int> m_halfedge, m_reached;
 };
 
-// returns the pairs of singularities that rows (2) do not separate: those whose traces meet within `reach` of
-// both, and those joined by a path of at most this length
+// returns the pairs of singularities that rows (2) do not separate: those whose traces meet within
+// `reach` of both, and those joined by a path of at most this length
 inline std::vector<Close_pair> close_pairs(const T_mesh& t_mesh,
-                                           const std::vector<std::vector<double>>& lengths, double reach)
+                                           const std::vector<std::vector<double>>& lengths,
+                                           double reach)
 {
   std::map<std::pair<int, int>, bool> is_close;
   for (const auto& visits : t_mesh.node_visits) {

@@ -17,8 +17,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// returns the dual loops whose sum is the consistent quantization `q`, each as the arcs that it crosses: the
-// i-th unit on a side of a patch, counted along the side, continues as the i-th last one on the opposite side
+// returns the dual loops whose sum is the consistent quantization `q`, each as the arcs that it
+// crosses: the i-th unit on a side of a patch, counted along the side, continues as the i-th last
+// one on the opposite side
 inline std::vector<std::vector<int>> dual_loops(const T_mesh& t_mesh, const std::vector<int>& q)
 {
   // where the units of a halfedge begin on its side, and all units of the side in order
@@ -72,9 +73,10 @@ inline std::vector<std::vector<int>> dual_loops(const T_mesh& t_mesh, const std:
   return result;
 }
 
-// returns the dual loops whose sum gives each arc the value `x` of its variable. A loop passes all arcs of a variable
-// in a row; it counts where it crosses the first of them.
-inline std::vector<Loop> dual_loops(const T_mesh& t_mesh, const Dual_graph& graph, const std::vector<int>& x)
+// returns the dual loops whose sum gives each arc the value `x` of its variable. A loop passes all
+// arcs of a variable in a row; it counts where it crosses the first of them.
+inline std::vector<Loop> dual_loops(const T_mesh& t_mesh, const Dual_graph& graph,
+                                    const std::vector<int>& x)
 {
   std::vector<int> q, first_arc(x.size(), -1);
   for (int a = 0; a < t_mesh.number_of_edges(); ++a) {

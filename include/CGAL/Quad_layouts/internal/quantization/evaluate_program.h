@@ -30,7 +30,10 @@ inline int excess(int value, int low, int high)
 class Program_evaluation
 {
 public:
-  Program_evaluation(const Reduced_program& program, const std::vector<int>& x) : m_program(program), m_x(x) {}
+  Program_evaluation(const Reduced_program& program, const std::vector<int>& x)
+    : m_program(program), m_x(x)
+  {
+  }
 
   bool is_positive(const Reduced_program::Set& set) const
   {
@@ -41,8 +44,8 @@ public:
 
   bool is_satisfied(const Reduced_program::Cut& cut) const
   {
-    return is_positive(cut.variables) ||
-           std::any_of(cut.indicators.begin(), cut.indicators.end(), [&](int k) { return is_merged(k); });
+    return is_positive(cut.variables) || std::any_of(cut.indicators.begin(), cut.indicators.end(),
+                                                     [&](int k) { return is_merged(k); });
   }
 
   int index_excess(const Reduced_program::Index_row& row) const
@@ -54,8 +57,8 @@ public:
     return excess(index, row.low, row.high);
   }
 
-  // the variables of which one must become positive to bring the index of an offending row nearer to its range; empty if
-  // there are none
+  // the variables of which one must become positive to bring the index of an offending row nearer
+  // to its range; empty if there are none
   Reduced_program::Set separating_set(const Reduced_program::Index_row& row) const
   {
     const int offence = index_excess(row);
@@ -81,11 +84,13 @@ public:
   // holds for all sums of dual loops
   bool is_consistent() const
   {
-    return std::all_of(m_program.equations.begin(), m_program.equations.end(), [&](const auto& equation) {
-      return std::accumulate(equation.begin(), equation.end(), 0L, [&](long sum, const auto& term) {
-               return sum + long(term.second) * m_x[term.first];
-             }) == 0;
-    });
+    return std::all_of(m_program.equations.begin(), m_program.equations.end(),
+                       [&](const auto& equation) {
+                         return std::accumulate(equation.begin(), equation.end(), 0L,
+                                                [&](long sum, const auto& term) {
+                                                  return sum + long(term.second) * m_x[term.first];
+                                                }) == 0;
+                       });
   }
 
   // says if all other rows hold

@@ -30,9 +30,9 @@ struct Search_limits
   double relative_gap = 0;
 };
 
-// calls `work(data)` and says if GLPK got through it. GLPK ends the process on a fatal error unless its hook
-// jumps away; the environment must be renewed then. No frame between the jump and its target may own
-// anything: this one does not, and neither may `work`.
+// calls `work(data)` and says if GLPK got through it. GLPK ends the process on a fatal error unless
+// its hook jumps away; the environment must be renewed then. No frame between the jump and its
+// target may own anything: this one does not, and neither may `work`.
 inline bool run_guarded_from_glpk(void (*work)(void*), void* data)
 {
   std::jmp_buf target;
@@ -40,7 +40,7 @@ inline bool run_guarded_from_glpk(void (*work)(void*), void* data)
     glp_free_env();
     return false;
   }
-  glp_term_hook([](void*, const char*) { return 1; }, nullptr);     // swallows all output
+  glp_term_hook([](void*, const char*) { return 1; }, nullptr); // swallows all output
   glp_error_hook([](void* t) { std::longjmp(*static_cast<std::jmp_buf*>(t), 1); }, &target);
   work(data);
   glp_error_hook(nullptr, nullptr);
@@ -48,12 +48,12 @@ inline bool run_guarded_from_glpk(void (*work)(void*), void* data)
   return true;
 }
 
-// One search of GLPK: the program in, the solution out. The relaxation is solved first and alone, because
-// `glp_intopt` would not mind the time limit there.
+// One search of GLPK: the program in, the solution out. The relaxation is solved first and alone,
+// because `glp_intopt` would not mind the time limit there.
 class Glpk_search
 {
 public:
-  using Terms = std::vector<std::pair<int, double>>;      // column, coefficient
+  using Terms = std::vector<std::pair<int, double>>; // column, coefficient
   struct Column
   {
     double low, high;
@@ -71,9 +71,9 @@ public:
   Terms objective;
   double objective_offset = 0;
   bool maximize = false;
-  std::vector<double> start;              // empty, or a value per column
+  std::vector<double> start; // empty, or a value per column
   Search_limits limits;
-  std::function<bool()> stop;             // must not throw
+  std::function<bool()> stop; // must not throw
 
   Outcome outcome = Outcome::ERROR;
   bool has_solution = false;
@@ -85,13 +85,14 @@ public:
   void run()
   {
     m_end = limits.seconds < 1e6
-            ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                               std::chrono::duration<double>((std::max)(limits.seconds, 0.)))
-            : (Clock::time_point::max)();
+                ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::chrono::duration<double>((std::max)(limits.seconds, 0.)))
+                : (Clock::time_point::max)();
     bound = (maximize ? 1 : -1) * (std::numeric_limits<double>::infinity)();
     values.assign(columns.size(), 0);
     flatten();
-    if (!run_guarded_from_glpk([](void* self) { static_cast<Glpk_search*>(self)->search(); }, this)) {
+    if (!run_guarded_from_glpk([](void* self) { static_cast<Glpk_search*>(self)->search(); },
+                               this)) {
       outcome = Outcome::ERROR;
       has_solution = false;
       m_message = "GLPK met a fatal error";
@@ -149,8 +150,10 @@ private:
     if (!rows.empty())
       glp_add_rows(problem, int(rows.size()));
     for (std::size_t r = 0; r < rows.size(); ++r)
-      glp_set_row_bnds(problem, int(r) + 1, bound_type(rows[r].low, rows[r].high), rows[r].low, rows[r].high);
-    glp_load_matrix(problem, int(m_value.size()) - 1, m_row.data(), m_column.data(), m_value.data());
+      glp_set_row_bnds(problem, int(r) + 1, bound_type(rows[r].low, rows[r].high), rows[r].low,
+                       rows[r].high);
+    glp_load_matrix(problem, int(m_value.size()) - 1, m_row.data(), m_column.data(),
+                    m_value.data());
     glp_set_obj_coef(problem, 0, objective_offset);
     for (const auto& term : objective)
       glp_set_obj_coef(problem, term.first + 1, term.second);
@@ -160,8 +163,9 @@ private:
   {
     if (m_end == (Clock::time_point::max)())
       return INT_MAX;
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(m_end - Clock::now()).count();
-    return int((std::max)(1LL, (std::min)((long long)(left), (long long)(INT_MAX) - 1)));
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(m_end - Clock::now()).count();
+    return int((std::max)(1LL, (std::min)((long long)(left), (long long)(INT_MAX)-1)));
   }
 
   // says if there is a reason to branch
@@ -197,7 +201,9 @@ private:
     parameters.gmi_cuts = GLP_ON;
     parameters.mip_gap = limits.relative_gap;
     parameters.tm_lim = milliseconds_left();
-    parameters.cb_func = [](glp_tree* tree, void* self) { static_cast<Glpk_search*>(self)->at_node(tree); };
+    parameters.cb_func = [](glp_tree* tree, void* self) {
+      static_cast<Glpk_search*>(self)->at_node(tree);
+    };
     parameters.cb_info = this;
     const int code = glp_intopt(problem, &parameters);
     const int status = glp_mip_status(problem);
@@ -210,9 +216,18 @@ private:
     switch (code) {
       case 0:
       case GLP_EMIPGAP: outcome = Outcome::COMPLETE; break;
-      case GLP_ETMLIM: m_message = "time limit"; outcome = Outcome::LIMIT; break;
-      case GLP_ESTOP: m_message = "stopped"; outcome = Outcome::LIMIT; break;
-      default: m_message = "the search failed"; outcome = Outcome::ERROR; break;
+      case GLP_ETMLIM:
+        m_message = "time limit";
+        outcome = Outcome::LIMIT;
+        break;
+      case GLP_ESTOP:
+        m_message = "stopped";
+        outcome = Outcome::LIMIT;
+        break;
+      default:
+        m_message = "the search failed";
+        outcome = Outcome::ERROR;
+        break;
     }
     if (code == 0 && has_solution)
       bound = objective_value;

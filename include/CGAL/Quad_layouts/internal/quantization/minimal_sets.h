@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Answers which sets of a family contain no given set, or are contained in one. Sets are sorted vectors of
-// numbers from 0 to n - 1; a set is filed under its first element.
+// Answers which sets of a family contain no given set, or are contained in one. Sets are sorted
+// vectors of numbers from 0 to n - 1; a set is filed under its first element.
 class Subset_query
 {
 public:
@@ -44,7 +44,8 @@ private:
   std::vector<std::vector<std::vector<int>>> m_by_first;
 };
 
-// returns the sets of `sets` that contain no other one, each once; sets must be sorted and not empty
+// returns the sets of `sets` that contain no other one, each once; sets must be sorted and not
+// empty
 inline std::vector<std::vector<int>> minimal_sets(std::vector<std::vector<int>> sets)
 {
   std::sort(sets.begin(), sets.end(), [](const auto& s, const auto& t) {

@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Bounds of the variables of a reduced program. A search in a small box is a search in a neighbourhood.
+// Bounds of the variables of a reduced program. A search in a small box is a search in a
+// neighbourhood.
 struct Box
 {
   static constexpr int unbounded = (std::numeric_limits<int>::max)();
@@ -48,8 +49,8 @@ struct Search_effort
 struct Box_solution
 {
   enum Status { OPTIMAL, FEASIBLE, INFEASIBLE, UNKNOWN } status = UNKNOWN;
-  std::vector<double> x;                                       // of optimal and feasible ones
-  double bound = -(std::numeric_limits<double>::infinity)();   // of the objective in the box
+  std::vector<double> x;                                     // of optimal and feasible ones
+  double bound = -(std::numeric_limits<double>::infinity)(); // of the objective in the box
 };
 
 // the kinds of numbers that are looked for
@@ -122,7 +123,7 @@ private:
     Variable* column = nullptr;
   };
 
-  static constexpr double infinity() { return 1e20; }   // of CGAL's traits
+  static constexpr double infinity() { return 1e20; } // of CGAL's traits
 
   typename Traits::Variable_type type(typename Traits::Variable_type of_integers) const
   {
@@ -160,7 +161,8 @@ private:
 
   void add_cover(const Reduced_program::Cut& cut, bool is_soft)
   {
-    if (std::any_of(cut.variables.begin(), cut.variables.end(), [&](int v) { return is_positive_in_box(v); }))
+    if (std::any_of(cut.variables.begin(), cut.variables.end(),
+                    [&](int v) { return is_positive_in_box(v); }))
       return;
     std::vector<Variable*> columns;
     for (int v : cut.variables)
@@ -289,7 +291,7 @@ private:
   Domain m_domain;
   Traits m_traits;
   typename Traits::Linear_objective* m_objective;
-  std::vector<Variable*> m_column;                // per variable, null if fixed
+  std::vector<Variable*> m_column; // per variable, null if fixed
   std::vector<Indicator> m_indicator;
   std::vector<std::pair<Variable*, const Reduced_program::Set*>> m_indicator_columns;
   std::vector<Slack> m_slacks;
@@ -299,8 +301,9 @@ private:
 
 // looks for the best solution of `program` in `box`; `known` is one in the box, or empty
 template <class Traits>
-Box_solution solve_in_box(const Reduced_program& program, const Box& box, const std::vector<int>& known,
-                          const Search_effort& effort, Domain domain = Domain::INTEGERS)
+Box_solution solve_in_box(const Reduced_program& program, const Box& box,
+                          const std::vector<int>& known, const Search_effort& effort,
+                          Domain domain = Domain::INTEGERS)
 {
   return Box_program<Traits>(program, box, known, domain).solve(effort);
 }
