@@ -32,7 +32,8 @@ struct Removal
 
 // Simplifies the triangles of a map by half-edge collapses, and takes the collapses back.
 //
-// Cones and the rings around them stay. Charts are carried along exactly, so that the coordinates of any
+// Cones and the two rings around them stay: with the outer ring gone, a vertex could touch so much of the inner one that
+// no valid map exists. Charts are carried along exactly, so that the coordinates of any
 // vertex that is present keep their meaning on every level.
 class Vertex_removal
 {
@@ -43,9 +44,12 @@ public:
       m_is_queued(map.points.size(), 0)
   {
     for (const Cone& c : cones)
-      for (const int f : m_star[c.vertex])
-        for (const int v : map.faces[f].vertex)
-          m_kind[v] = v == c.vertex ? CONE : RING;
+      for (const int ring_vertex : neighbours(c.vertex))
+        for (const int f : m_star[ring_vertex])
+          for (const int v : map.faces[f].vertex)
+            m_kind[v] = RING;
+    for (const Cone& c : cones)
+      m_kind[c.vertex] = CONE;
   }
 
   // removes vertices, along the shortest edges first, until `target` faces are left or none may go

@@ -63,8 +63,9 @@ public:
   {
     if (m_incumbent.start()) {
       report();
+      solve_relaxation();
       search_whole_program();
-      if (!is_done())
+      if (!is_done() && !m_relaxation.empty())
         search_support();
       if (!is_done())
         search_neighbourhoods();
@@ -111,12 +112,10 @@ private:
     return result;
   }
 
-  // solves again as long as the solution is not valid and new cuts forbid it. An objective above
-  // the penalty could fall by violating a row: then the bound must come from the soft program.
+  // solves again as long as the solution is not valid and new cuts forbid it
   void search_whole_program()
   {
     constexpr int nodes = 200;
-    m_program.covers_are_soft = m_incumbent.objective() > m_program.penalty;
     const Box everything(m_program.number_of_variables());
     std::size_t cuts;
     do {
@@ -132,15 +131,22 @@ private:
     m_program.covers_are_soft = false;
   }
 
+  // An objective above the penalty could fall by violating a row: then bounds must come from the soft
+  // program.
+  void solve_relaxation()
+  {
+    constexpr int unlimited = (std::numeric_limits<int>::max)();
+    m_program.covers_are_soft = m_incumbent.objective() > m_program.penalty;
+    const Box everything(m_program.number_of_variables());
+    Box_solution solution = solve_in_box<Traits>(m_program, everything, {},
+                                                 effort(unlimited, 0.3, 0), Domain::REALS);
+    m_monitor.check("quantize");
+    m_relaxation = std::move(solution.x);
+    m_bound = (std::max)(m_bound, solution.bound);
+  }
+
   void search_support()
   {
-    m_relaxation = solve_in_box<Traits>(m_program, Box(m_program.number_of_variables()), {},
-                                        effort((std::numeric_limits<int>::max)(), 0.3, 0),
-                                        Domain::REALS)
-                       .x;
-    m_monitor.check("quantize");
-    if (m_relaxation.empty())
-      return;
     Box box(m_program.number_of_variables());
     restrict_to_support(box);
     bool improved;
