@@ -61,6 +61,20 @@ public:
   // where the source of h is in the chart of the patch of h
   Point2 source_position(int h) const { return m_attachment[h](m_source_position[h]); }
 
+  // Whether going around node n, clockwise, changes the chart by a rotation about n that takes back `index` quarter-turns.
+  bool has_index(int n, int index) const
+  {
+    Chart_change loop;
+    const int first = m_t_mesh.halfedge_from(n);
+    int h = first;
+    do {
+      loop = across(h).after(loop);
+      h = m_t_mesh.turn_right(h);
+    } while (h != first);
+    const Point2 position = source_position(first);
+    return loop.quarter_turns == (-index & 3) && loop(position) == position;
+  }
+
   // the direction of h in the chart of its patch before any cut, in quarter-turns from +x
   int direction(int h) const { return m_direction[h]; }
 

@@ -110,7 +110,7 @@ public:
       is_cone[c.vertex] = 1;
     const Map start = make_map(m_mesh, is_cone, m_unit);
     Integer_grid_map best;
-    constexpr Solution_attempt attempts[] = {{4000, 0.5}, {7000, 0.3}, {3000, 0.1}, {12000, 0.1}, {18000, 0.1}};
+    constexpr Solution_attempt attempts[] = {{4000, 0.5}, {4000, 0.1}, {7000, 0.3}, {3000, 0.1}, {12000, 0.1}};
     for (const auto& [size, haste] : attempts) {
       Map map = start;
       if (!solve_coarse_to_fine(map, m_cones, {size + 40 * int(m_cones.size()), haste}, m_monitor))
@@ -132,9 +132,21 @@ private:
     const Merge_trees trees(t_mesh, m_layout);
     m_cones = choose_cones(t_mesh, m_layout, trees.roots());
     const Layout_charts charts(t_mesh, m_layout, m_chord_length, trees.transfers());
+    check_indices(t_mesh, trees, charts);
     Charted_mesh mesh = chart_surface(field, t_mesh, charts, m_cones);
     refine_around_cones(mesh, m_cones);
     return mesh;
+  }
+
+  // The roots of the clusters must have the whole index of their clusters, all other nodes none.
+  void check_indices(const T_mesh& t_mesh, const Merge_trees& trees, const Layout_charts& charts) const
+  {
+    std::vector<int> index(t_mesh.number_of_vertices(), 0);
+    for (const Cluster_root& r : trees.roots())
+      index[r.node] = m_layout.clusters[r.cluster].index;
+    for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
+      if (!charts.has_index(n, index[n]))
+        throw Stage_failure("embed: the index of T-mesh node " + std::to_string(n) + " could not be gathered");
   }
 
   std::vector<Anchor_search::Cone_place> cone_places() const

@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -46,9 +47,26 @@ inline std::vector<double> lengths_to_cover(const T_mesh& t, const Quad_layout& 
   return result;
 }
 
+// Scales lengths of chords such that the faces of the layout, as rectangles, have the area of the surface.
+inline void scale_to_area(const Triangle_surface& surface, const Quad_layout& layout,
+                          std::vector<double>& length)
+{
+  double wanted = 0, present = 0;
+  for (int f = 0; f < surface.number_of_faces(); ++f)
+    wanted += surface.area(f);
+  for (int f = 0; f < layout.number_of_faces(); ++f) {
+    const int h = layout.halfedge_of(f);
+    present += length[layout.chord(Quad_layout::edge(h))]
+             * length[layout.chord(Quad_layout::edge(layout.next(h)))];
+  }
+  for (double& l : length)
+    l *= std::sqrt(wanted / present);
+}
+
 // Fits a length to each chord, such that the edges of each arc together have the arc's length:
 // linear least squares, weakly drawn to equal lengths of the edges of one arc. Lengths that came
-// out below a quarter of what the chord's arcs have on average are raised to that.
+// out below a quarter of what the chord's arcs have on average are raised to that. Finally all are scaled
+// such that the faces of the layout together have the area of the surface.
 inline std::vector<double> fit_chord_lengths(const T_mesh& t, const Quad_layout& layout)
 {
   constexpr double pull = 0.01, least = 0.25;
@@ -76,6 +94,7 @@ inline std::vector<double> fit_chord_lengths(const T_mesh& t, const Quad_layout&
   std::vector<double> result;
   for (int c = 0; c < n; ++c)
     result.push_back((std::max)(length[c], least * sum[c] / count[c]));
+  scale_to_area(t.surface(), layout, result);
   return result;
 }
 

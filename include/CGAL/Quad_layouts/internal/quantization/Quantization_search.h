@@ -122,7 +122,7 @@ private:
       cuts = m_program.cuts.size();
       bool improved;
       const Box_solution solution = search(
-          everything, effort(nodes, 0.1, m_options.relative_gap / 2), improved);
+          everything, effort(nodes, 0.06, m_options.relative_gap / 2), improved);
       m_bound = (std::max)(m_bound, solution.bound);
       report();
       if (solution.status != Box_solution::OPTIMAL)
@@ -131,8 +131,8 @@ private:
     m_program.covers_are_soft = false;
   }
 
-  // An objective above the penalty could fall by violating a row: then bounds must come from the soft
-  // program.
+  // An objective above the penalty could fall by violating a row: then bounds must come from the
+  // soft program.
   void solve_relaxation()
   {
     constexpr int unlimited = (std::numeric_limits<int>::max)();
@@ -150,13 +150,14 @@ private:
     Box box(m_program.number_of_variables());
     restrict_to_support(box);
     bool improved;
-    search(box, effort(3000, 0.25, 0.001), improved);
+    search(box, effort(1000, 0.15, 0.001), improved);
   }
 
-  // keeps variables at 0 that are 0 in the solution and in the relaxation
+  // keeps variables at 0 that are 0 in the solution and in the relaxation, and paths short
   void restrict_to_support(Box& box) const
   {
     constexpr double positive = 1e-6;
+    box.longest_path = 3;
     for (int v = 0; v < m_program.number_of_variables(); ++v)
       if (m_relaxation[v] < positive && m_incumbent.values()[v] == 0)
         box.low[v] = box.high[v] = 0;

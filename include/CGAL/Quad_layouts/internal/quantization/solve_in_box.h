@@ -29,6 +29,9 @@ struct Box
   static constexpr int unbounded = (std::numeric_limits<int>::max)();
 
   std::vector<int> low, high;
+  // Q of Equation (3): how long the paths of indicators may be. 10 does not cut off solutions worth
+  // having; a smaller one loses some, but makes the relaxation much stronger.
+  int longest_path = 10;
 
   // everything is allowed
   explicit Box(int variables) : low(variables, 0), high(variables, unbounded) {}
@@ -230,7 +233,7 @@ private:
     return c;
   }
 
-  // Equation (3), with the least Q that does not cut off the known solution or one worth having
+  // Equation (3), with a Q that does not cut off the known solution
   Indicator make_indicator(const Reduced_program::Set& path)
   {
     Indicator c;
@@ -243,9 +246,8 @@ private:
       c.constant = 1;
       return c;
     }
-    constexpr long worth_having = 10;
     const long known = m_known.empty() ? 0 : sum_over(path, m_known);
-    const double q = (std::min)(largest, double((std::max)(worth_having, known)));
+    const double q = (std::min)(largest, double((std::max)(long(m_box.longest_path), known)));
     c.column = m_traits.create_variable(type(Variable::BINARY), 0, 1);
     Constraint* merged = m_traits.create_constraint(1, infinity());
     Constraint* separate = m_traits.create_constraint(-infinity(), q);

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""Runs the command on every closed model of some folders and prints one line per model and a summary.
+
+    run_corpus.py --program build/examples/quad_layout [--data DIR ...] [--models NAME ...]
+                  [--metrics quad_metrics.py] [--strict] [--jobs 2] [--output DIR] [--table FILE]
+
+A model passes if the command succeeds, the map is valid, no T-junction is left and, with --metrics (a program that measures
+a quad mesh and prints JSON), the independent measures agree with stats.json. With --strict every model also runs with
+maximum displacement 0, and must not have fewer patches than with the default. Exit status: the number of failures, at most 100.
+"""
+import argparse
+import concurrent.futures
+import glob
+import json
+import os
+import resource
+import subprocess
+import sys
+import time
+
+COLUMNS = ("model", "faces", "S in", "S out", "floor", "P r=0", "P", "quads", "MSJ min", "MSJ avg",
+           "field", "trace", "quantize", "embed", "smooth", "total", "status", "gap", "verdict")
+
+
+def run(program, model, out, *options):
+    """Run the command; return (statistics or None, its last line on stderr, seconds)."""
+    start = time.time()
+    done = subprocess.run([program, model, "--output", out, "--quiet", *options],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        last = (done.stderr.strip().splitlines() or ["exit status %d" % done.returncode])[-1]
+        return None, last, time.time() - start
+    with open(os.path.join(out, "stats.json"), encoding="utf-8") as stream:
+        return json.load(stream), "", time.time() - start
+
+
+def disagreements(stats, metrics, surface, out):
+    """Measure the quad mesh independently; return what differs from stats.json or is invalid."""
+    done = subprocess.run(["/usr/bin/python3", metrics, os.path.join(out, "quad_mesh.obj"), "--surface", surface],
+                          capture_output=True, text=True)
+    if done.returncode != 0:
+        return ["metrics failed: " + done.stderr.strip()]
+    found = json.loads(done.stdout)
+    wanted = {"non_quads": 0, "non_manifold_edges": 0, "non_manifold_vertices": 0, "inverted_quads": 0,
+              "quads_against_surface": 0, "boundary_edges": 0, "oriented": True,
+              "base_complex_patches": stats["patches"], "euler": stats["input"]["euler"],
+              "irregular_interior": stats["singularities_out"], "quads": stats["quads"],
+              "components": stats["input"]["components"]}
+    return [f"{key} is {found[key]}, not {value}" for key, value in wanted.items() if found[key] != value]
+
+
+def examine(model, options):
+    """Run one model; return its row of the table and whether it passed."""
+    name = os.path.splitext(os.path.basename(model))[0]
+    out = os.path.join(options.output, name)
+    stats, reason, seconds = run(options.program, model, out)
+    row = dict.fromkeys(COLUMNS, "")
+    row["model"] = name
+    if stats is None:
+        row.update(total="%.1f" % seconds, verdict=reason)
+        return row, False
+    spent, program = stats["seconds"], stats["program"]
+    row.update({"faces": stats["input"]["faces"], "S in": stats["singularities_in"],
+                "S out": stats["singularities_out"], "floor": stats["patches_floor"], "P": stats["patches"],
+                "quads": stats["quads"], "MSJ min": "%.3f" % stats["msj_min"],
+                "MSJ avg": "%.4f" % stats["msj_avg"], "status": program["status"],
+                "gap": "%.3g" % program["gap"] if program["gap"] is not None else "-"},
+               **{key: "%.1f" % spent[key] for key in ("field", "trace", "quantize", "embed", "smooth", "total")})
+    faults = [f"{key} {stats['map'][key]}" for key in ("inverted", "wrong_winding") if stats["map"][key]]
+    if stats["t_junctions"]:
+        faults.append("T-junctions")
+    if options.metrics:
+        faults += disagreements(stats, options.metrics, model, out)
+    if options.strict:
+        strict, reason, _ = run(options.program, model, out + "-strict", "--displacement", "0")
+        row["P r=0"] = strict["patches"] if strict else "fails"
+        if strict is None:
+            faults.append("r = 0: " + reason)
+        elif strict["patches"] < stats["patches"]:
+            faults.append("fewer patches with r = 0")
+    row["verdict"] = "; ".join(faults) or "ok"
+    return row, not faults
+
+
+def select(options):
+    """List the model files."""
+    files = sorted(f for folder in options.data for f in glob.glob(os.path.join(folder, "*.off")))
+    if options.models:
+        files = [f for f in files if os.path.splitext(os.path.basename(f))[0] in options.models]
+    return files
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--data", nargs="+", default=[os.path.join(os.environ.get("CGAL_DATA_DIR", "."), "meshes")])
+    parser.add_argument("--models", nargs="*")
+    parser.add_argument("--metrics")
+    parser.add_argument("--strict", action="store_true")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--output", default="corpus")
+    parser.add_argument("--table", help="also write the rows to this file, separated by tabs")
+    options = parser.parse_args()
+    files = select(options)
+    if not files:
+        print("no models found: skipped")
+        return 0
+    failures = 0
+    table = open(options.table, "w", encoding="utf-8") if options.table else None
+    print(" ".join(COLUMNS))
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for row, passed in pool.map(lambda model: examine(model, options), files):
+            failures += not passed
+            line = [str(row[key]) for key in COLUMNS]
+            print(" ".join(text or "-" for text in line), flush=True)
+            if table:
+                print("\t".join(line), file=table, flush=True)
+    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    print(f"largest memory of one run: {memory:.0f} MB")
+    print(f"{len(files) - failures} passed, {failures} failed")
+    return min(failures, 100)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
