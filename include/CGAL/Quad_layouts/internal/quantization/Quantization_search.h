@@ -157,7 +157,7 @@ private:
   void restrict_to_support(Box& box) const
   {
     constexpr double positive = 1e-6;
-    box.longest_path = 3;
+    box.longest_path = 4;
     for (int v = 0; v < m_program.number_of_variables(); ++v)
       if (m_relaxation[v] < positive && m_incumbent.values()[v] == 0)
         box.low[v] = box.high[v] = 0;
@@ -180,7 +180,7 @@ private:
       if (i % 2 == 1 && !m_relaxation.empty())
         restrict_to_support(box);
       bool improved;
-      const Box_solution solution = search(box, effort(100, 0.15, 0.001), improved);
+      const Box_solution solution = search(box, effort(60, 0.15, 0.001), improved);
       failures = improved ? 0 : failures + 1;
       size = solution.status == Box_solution::OPTIMAL
                  ? (std::min)(size * growth(), double(order.size()))
