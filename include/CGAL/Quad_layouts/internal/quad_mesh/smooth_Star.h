@@ -39,6 +39,32 @@ inline double quality(const Quad& quad, const std::array<Eigen::Vector3d, 4>& no
   return result;
 }
 
+// A decreasing, smooth function of a sine or cosine: about 1 / s^2 for positive values, finite
+// but large for negative ones. By this regularization Garanzha et al. 2021 ("Foldover-free maps
+// in 50 lines of code") untangle meshes.
+inline double penalty_of_sine(double s)
+{
+  constexpr double epsilon = 0.1;
+  const double positive = (s + std::sqrt(s * s + epsilon * epsilon)) / 2;
+  return 1 / (positive * positive);
+}
+
+// An energy of a quad that is least if it is a rectangle of any aspect whose normal is that of the
+// surface.
+inline double shape_energy(const Quad& q, const Eigen::Vector3d& surface_normal)
+{
+  const Eigen::Vector3d own = area_vector(q).normalized();
+  const double cosine = own.dot(surface_normal);
+  const Eigen::Vector3d& axis = cosine > 0 ? own : surface_normal;
+  std::array<Eigen::Vector3d, 4> side;
+  for (int k = 0; k < 4; ++k)
+    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
+  double energy = penalty_of_sine(cosine);
+  for (int k = 0; k < 4; ++k)
+    energy += penalty_of_sine(side[(k + 3) & 3].cross(side[k]).dot(axis));
+  return energy;
+}
+
 // The quads around a vertex as functions of its position x: all that smoothing one vertex looks at.
 // The normals of the surface are taken where the corners have been.
 class Star
@@ -106,8 +132,7 @@ public:
     });
   }
 
-  // An energy that is least if the quads are rectangles parallel to the surface, whatever their
-  // aspect, and the weighted edges are short.
+  // the sum of the energies of the quads, and of springs along the weighted edges
   double energy(const Vector& x, double spring) const
   {
     double sum = 0;
@@ -129,30 +154,6 @@ private:
     Vector mean_normal;
     double weight;
   };
-
-  // A decreasing, smooth function of a sine or cosine: about 1 / s^2 for positive values, finite
-  // but large for negative ones. By this regularization Garanzha et al. 2021 ("Foldover-free maps
-  // in 50 lines of code") untangle meshes.
-  static double penalty(double s)
-  {
-    constexpr double epsilon = 0.1;
-    const double positive = (s + std::sqrt(s * s + epsilon * epsilon)) / 2;
-    return 1 / (positive * positive);
-  }
-
-  static double shape_energy(const Quad& q, const Vector& surface_normal)
-  {
-    const Vector own = area_vector(q).normalized();
-    const double cosine = own.dot(surface_normal);
-    const Vector& axis = cosine > 0 ? own : surface_normal;
-    std::array<Vector, 4> side;
-    for (int k = 0; k < 4; ++k)
-      side[k] = (q[(k + 1) & 3] - q[k]).normalized();
-    double energy = penalty(cosine);
-    for (int k = 0; k < 4; ++k)
-      energy += penalty(side[(k + 3) & 3].cross(side[k]).dot(axis));
-    return energy;
-  }
 
   std::vector<Sector> m_sectors;
 };

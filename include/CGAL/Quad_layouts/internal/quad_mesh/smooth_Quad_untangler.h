@@ -1,0 +1,233 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_QUAD_UNTANGLER_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_QUAD_UNTANGLER_H
+
+#include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quads_on_surface.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Vertex_steps.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Puts bad quads of a mesh right: those that are inverted or oppose the surface.
+//
+// Each group of bad quads is treated on its own, with more and more of its surroundings. What has
+// been tried is kept only if it makes fewer quads bad.
+class Quad_untangler
+{
+public:
+  using Vector = Eigen::Vector3d;
+
+  explicit Quad_untangler(Quads_on_surface& quads) : m_quads(quads), m_steps(quads) {}
+
+  // Relaxes surroundings with nothing to hinder it, which unfolds them where the surface is nearly
+  // flat, and improves the shape there.
+  void unfold()
+  {
+    const auto attempt = [this](const std::vector<int>& region, int rings) {
+      relax_freely(region, 10 * rings);
+      for (int i = 0; i < 10; ++i)
+        for (const int v : region)
+          m_steps.improve_shape(v);
+    };
+    for (int rings = 1; rings <= 16; rings *= 2)
+      treat_groups(0, rings, attempt);
+  }
+
+  // Searches for better places of single vertices, from where they are and from the relaxed state.
+  // This also helps where quads are not small compared to features of the surface, so that neither
+  // its normals at their corners nor derivatives tell the way. Improves poor quads, too.
+  void repair()
+  {
+    constexpr double poor = 0.3;
+    const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
+    const auto search_anew = [this](const std::vector<int>& region, int rings) {
+      relax_freely(region, 5 * rings);
+      search(region);
+    };
+    for (int rings = 1; rings <= 2; ++rings)
+      treat_groups(poor, rings, search_here);
+    for (int rings = 1; rings <= 8; rings *= 2) {
+      treat_groups(0, rings, search_here);
+      treat_groups(0, rings, search_anew);
+    }
+  }
+
+private:
+  // how far quads are from being good
+  struct Badness
+  {
+    int bad_quads = 0;
+    double deficit = 0; // by which the scores of quads miss a threshold
+    bool operator<(const Badness& other) const
+    {
+      return std::make_pair(bad_quads, deficit) < std::make_pair(other.bad_quads, other.deficit);
+    }
+  };
+
+  // the normal of the triangle nearest to the centre of a quad
+  Vector surface_normal(const Quad& quad) const
+  {
+    const Surface_walk& walk = m_quads.walk();
+    return walk.surface().normal(walk.nearest_face(centre(quad)));
+  }
+
+  // the scaled Jacobian, or minus one if the quad opposes the surface
+  double score(int f) const
+  {
+    const Quad quad = m_quads.quad(f);
+    return area_vector(quad).dot(surface_normal(quad)) < 0 ? -1 : scaled_jacobian(quad);
+  }
+
+  Badness badness(const std::vector<int>& quads, double threshold) const
+  {
+    Badness result;
+    for (const int f : quads) {
+      const double s = score(f);
+      result.bad_quads += !(s > 0);
+      result.deficit += (std::max)(threshold - s, 0.);
+    }
+    return result;
+  }
+
+  // the quads at some vertices, ascending
+  std::vector<int> quads_at(const std::vector<int>& vertices) const
+  {
+    std::vector<int> result;
+    for (const int v : vertices)
+      for (const int h : m_quads.corners(v))
+        result.push_back(m_quads.mesh().face[h]);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Groups the quads with a score of at most `threshold`: those that have a common corner belong
+  // together.
+  std::vector<std::vector<int>> groups(double threshold) const
+  {
+    std::vector<char> is_open(m_quads.mesh().number_of_faces(), 0);
+    for (int f = 0; f < m_quads.mesh().number_of_faces(); ++f)
+      is_open[f] = !(score(f) > threshold);
+    std::vector<std::vector<int>> result;
+    for (int f = 0; f < m_quads.mesh().number_of_faces(); ++f)
+      if (is_open[f])
+        result.push_back(group_from(f, is_open));
+    return result;
+  }
+
+  std::vector<int> group_from(int first, std::vector<char>& is_open) const
+  {
+    std::vector<int> result = {first};
+    is_open[first] = 0;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (int k = 0; k < 4; ++k)
+        for (const int h : m_quads.corners(m_quads.mesh().corner(result[i], k))) {
+          const int f = m_quads.mesh().face[h];
+          if (std::exchange(is_open[f], 0))
+            result.push_back(f);
+        }
+    return result;
+  }
+
+  template <class Attempt>
+  void treat_groups(double threshold, int rings, const Attempt& attempt)
+  {
+    for (const std::vector<int>& group : groups(threshold)) {
+      const std::vector<int> region = m_quads.surroundings(group, rings), quads = quads_at(region);
+      std::vector<Surface_walk::Place> old;
+      for (const int v : region)
+        old.push_back(m_quads.place(v));
+      const Badness before = badness(quads, threshold);
+      attempt(region, rings);
+      if (!(badness(quads, threshold) < before))
+        for (std::size_t i = 0; i < region.size(); ++i)
+          m_quads.move(region[i], old[i]);
+    }
+  }
+
+  void relax_freely(const std::vector<int>& region, int sweeps)
+  {
+    for (int i = 0; i < sweeps; ++i)
+      for (const int v : region)
+        m_steps.relax_freely(v);
+  }
+
+  void search(const std::vector<int>& region)
+  {
+    constexpr int rounds = 3;
+    for (int i = 0; i < rounds; ++i)
+      for (const double fraction : {0.5, 0.25, 0.125, 0.0625})
+        for (const int v : region)
+          search_around(v, fraction);
+  }
+
+  // Moves v to the best of the places that it gets to by steps of equal length: along the surface,
+  // or into it, which leads around the edges of thin parts.
+  void search_around(int v, double fraction)
+  {
+    const Surface_walk::Place start = m_quads.place(v);
+    const Vector inwards = -m_quads.normal(v);
+    const Vector t1 = inwards.unitOrthogonal(), t2 = inwards.cross(t1);
+    const double length = m_quads.edge_length(v), spring = 0.05 / (length * length);
+    Surface_walk::Place best = start;
+    double least = energy(v, start.point, spring, (std::numeric_limits<double>::infinity)());
+    for (int k = 0; k < 16; ++k) {
+      const double angle = k * std::acos(-1.) / 4;
+      const Vector along = std::cos(angle) * t1 + std::sin(angle) * t2;
+      const Vector step = k < 8 ? along : Vector((along + inwards) * std::sqrt(0.5));
+      const auto place = m_quads.walk().slide(start, start.point + fraction * length * step);
+      const double e = energy(v, place.point, spring, least);
+      if (e < least) {
+        least = e;
+        best = place;
+      }
+    }
+    if (least < (std::numeric_limits<double>::infinity)())
+      m_quads.move(v, best);
+  }
+
+  // the energy of the quads around v if v were at x; something above `limit` if it exceeds that
+  double energy(int v, const Vector& x, double spring, double limit) const
+  {
+    const Polygons& mesh = m_quads.mesh();
+    double sum = 0;
+    for (const int h : m_quads.corners(v))
+      sum += spring * (mesh.points[mesh.target(h)] - x).squaredNorm();
+    for (const int h : m_quads.corners(v)) {
+      if (sum > limit)
+        break;
+      const int g = mesh.next(h);
+      const Quad quad = {x, mesh.points[mesh.source[g]], mesh.points[mesh.target(g)],
+                         mesh.points[mesh.source[mesh.prev(h)]]};
+      sum += shape_energy(quad, surface_normal(quad));
+    }
+    return sum;
+  }
+
+  Quads_on_surface& m_quads;
+  Vertex_steps m_steps;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_QUAD_UNTANGLER_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_VERTEX_STEPS_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_VERTEX_STEPS_H
+
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quads_on_surface.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Moves single vertices of a quad mesh to places where the quads around them are closer to
+// rectangles. A vertex moves only if no quad becomes bad or worse by it, so quads that are not
+// inverted stay so.
+class Vertex_steps
+{
+public:
+  using Vector = Eigen::Vector3d;
+
+  explicit Vertex_steps(Quads_on_surface& quads) : m_quads(quads) {}
+
+  // moves v towards the weighted mean of its neighbours
+  void relax(int v)
+  {
+    m_quads.gather_star(v, m_star);
+    try_move(v, m_star.barycentre() - m_star.position(), [](const Vector&) { return true; });
+  }
+
+  // moves v to the weighted mean of its neighbours, whatever becomes of the quads
+  void relax_freely(int v)
+  {
+    m_quads.gather_star(v, m_star);
+    m_quads.slide(v, m_star.barycentre());
+  }
+
+  // makes a Newton step on the energy of the star
+  void improve_shape(int v, double spring_weight = 1)
+  {
+    m_quads.gather_star(v, m_star);
+    const double l2 = m_star.squared_edge_length();
+    if (!(l2 > 0))
+      return;
+    const double spring = spring_weight / l2, before = m_star.energy(m_star.position(), spring);
+    try_move(v, newton_step(m_quads.normal(v), spring, std::sqrt(l2)),
+             [&](const Vector& y) { return m_star.energy(y, spring) < before; });
+  }
+
+private:
+  // moves v by `step`, or less, to where its quads and `accepts` say yes
+  template <class Accepts>
+  void try_move(int v, const Vector& step, const Accepts& accepts)
+  {
+    for (const double fraction : {1., 0.5, 0.25, 0.0625}) {
+      const auto place = m_quads.walk().slide(m_quads.place(v),
+                                              m_star.position() + fraction * step);
+      if (m_star.permits(place.point) && accepts(place.point))
+        return m_quads.move(v, place);
+    }
+  }
+
+  // the step in the plane with the given normal to the minimum of a quadratic model of the energy,
+  // found from six samples. Negative curvatures are made positive, so that it leads downhill.
+  Vector newton_step(const Vector& normal, double spring, double edge_length) const
+  {
+    const Vector t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
+    const double h = 1e-3 * edge_length, longest = 0.5 * edge_length;
+    const auto at = [&](double a, double b) {
+      return m_star.energy(m_star.position() + a * t1 + b * t2, spring);
+    };
+    const double e00 = at(0, 0), e10 = at(h, 0), em0 = at(-h, 0), e01 = at(0, h), e0m = at(0, -h),
+                 e11 = at(h, h);
+    const Eigen::Vector2d gradient((e10 - em0) / (2 * h), (e01 - e0m) / (2 * h));
+    const double mixed = (e11 - e10 - e01 + e00) / (h * h);
+    Eigen::Matrix2d hessian;
+    hessian << (e10 - 2 * e00 + em0) / (h * h), mixed, mixed, (e01 - 2 * e00 + e0m) / (h * h);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+    eigen.computeDirect(hessian);
+    const double least = (std::max)(1e-3 * eigen.eigenvalues().cwiseAbs().maxCoeff(), 1e-300);
+    const Eigen::Vector2d curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
+    Eigen::Vector2d d = -(eigen.eigenvectors() *
+                          (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(curvature));
+    if (d.norm() > longest)
+      d *= longest / d.norm();
+    return d.x() * t1 + d.y() * t2;
+  }
+
+  Quads_on_surface& m_quads;
+  Star m_star; // of the vertex that is being moved
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_VERTEX_STEPS_H
