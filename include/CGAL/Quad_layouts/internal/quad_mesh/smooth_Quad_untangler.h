@@ -16,9 +16,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -47,8 +47,9 @@ public:
         for (const int v : region)
           m_steps.improve_shape(v);
     };
+    std::vector<int> suspects = all_quads();
     for (int rings = 1; rings <= 16; rings *= 2)
-      treat_groups(0, rings, attempt);
+      treat_groups(suspects, 0, rings, attempt);
   }
 
   // Searches for better places of single vertices, from where they are and from the relaxed state.
@@ -62,11 +63,12 @@ public:
       relax_freely(region, 5 * rings);
       search(region);
     };
+    std::vector<int> suspects = all_quads();
     for (int rings = 1; rings <= 2; ++rings)
-      treat_groups(poor, rings, search_here);
+      treat_groups(suspects, poor, rings, search_here);
     for (int rings = 1; rings <= 8; rings *= 2) {
-      treat_groups(0, rings, search_here);
-      treat_groups(0, rings, search_anew);
+      treat_groups(suspects, 0, rings, search_here);
+      treat_groups(suspects, 0, rings, search_anew);
     }
   }
 
@@ -107,6 +109,13 @@ private:
     return result;
   }
 
+  std::vector<int> all_quads() const
+  {
+    std::vector<int> result(m_quads.mesh().number_of_faces());
+    std::iota(result.begin(), result.end(), 0);
+    return result;
+  }
+
   // the quads at some vertices, ascending
   std::vector<int> quads_at(const std::vector<int>& vertices) const
   {
@@ -119,15 +128,15 @@ private:
     return result;
   }
 
-  // Groups the quads with a score of at most `threshold`: those that have a common corner belong
-  // together.
-  std::vector<std::vector<int>> groups(double threshold) const
+  // Groups those of some quads whose score is at most `threshold`: if they have a common corner,
+  // they belong together.
+  std::vector<std::vector<int>> groups(const std::vector<int>& suspects, double threshold) const
   {
     std::vector<char> is_open(m_quads.mesh().number_of_faces(), 0);
-    for (int f = 0; f < m_quads.mesh().number_of_faces(); ++f)
+    for (const int f : suspects)
       is_open[f] = !(score(f) > threshold);
     std::vector<std::vector<int>> result;
-    for (int f = 0; f < m_quads.mesh().number_of_faces(); ++f)
+    for (const int f : suspects)
       if (is_open[f])
         result.push_back(group_from(f, is_open));
     return result;
@@ -147,20 +156,24 @@ private:
     return result;
   }
 
+  // Makes an attempt for each group of bad quads among `suspects`, and replaces these by the quads
+  // that may be bad now.
   template <class Attempt>
-  void treat_groups(double threshold, int rings, const Attempt& attempt)
+  void treat_groups(std::vector<int>& suspects, double threshold, int rings,
+                    const Attempt& attempt)
   {
-    for (const std::vector<int>& group : groups(threshold)) {
+    std::vector<int> treated;
+    for (const std::vector<int>& group : groups(suspects, threshold)) {
       const std::vector<int> region = m_quads.surroundings(group, rings), quads = quads_at(region);
-      std::vector<Surface_walk::Place> old;
-      for (const int v : region)
-        old.push_back(m_quads.place(v));
       const Badness before = badness(quads, threshold);
+      const std::vector<Surface_walk::Place> old = m_quads.places(region);
       attempt(region, rings);
       if (!(badness(quads, threshold) < before))
         for (std::size_t i = 0; i < region.size(); ++i)
           m_quads.move(region[i], old[i]);
+      treated.insert(treated.end(), quads.begin(), quads.end());
     }
+    suspects.swap(treated);
   }
 
   void relax_freely(const std::vector<int>& region, int sweeps)

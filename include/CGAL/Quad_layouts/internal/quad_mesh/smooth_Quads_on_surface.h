@@ -53,6 +53,13 @@ public:
   // the halfedges from a vertex
   const std::vector<int>& corners(int v) const { return m_corners[v]; }
   const Place& place(int v) const { return m_places[v]; }
+  std::vector<Place> places(const std::vector<int>& vertices) const
+  {
+    std::vector<Place> result;
+    for (const int v : vertices)
+      result.push_back(m_places[v]);
+    return result;
+  }
   // the unit normal of the surface at a vertex's place
   const Vector& normal(int v) const { return m_normals[v]; }
   // the mean length of the edges at a vertex
