@@ -70,7 +70,7 @@ every run.
                           so sharp edges: 0 for not at all; large values keep more of the details
                           and of the noise of a scanned surface in the field}
     \cgalParamType{double}
-    \cgalParamDefault{`0.03`}
+    \cgalParamDefault{`0.07`}
     \cgalParamExtra{It must not be negative.}
   \cgalParamNEnd
   \cgalParamNBegin{face_constraint_map}

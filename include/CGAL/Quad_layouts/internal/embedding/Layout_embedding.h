@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Anchor_search.h>
 #include <CGAL/Quad_layouts/internal/embedding/Layout_charts.h>
@@ -21,8 +22,6 @@
 #include <CGAL/Quad_layouts/internal/embedding/check_map.h>
 #include <CGAL/Quad_layouts/internal/embedding/coarse_to_fine.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <memory>
 #include <string>
@@ -38,7 +37,7 @@ inline std::vector<Cone> choose_cones(const T_mesh& t_mesh, const Quad_layout& l
                                       const std::vector<Cluster_root>& roots)
 {
   const int n = t_mesh.number_of_vertices();
-  boost::disjoint_sets_with_storage<> component(n);
+  Disjoint_sets component(n);
   for (int a = 0; a < t_mesh.number_of_edges(); ++a)
     component.union_set(t_mesh.source(2 * a), t_mesh.target(2 * a));
   std::vector<char> has_cone(n, 0);

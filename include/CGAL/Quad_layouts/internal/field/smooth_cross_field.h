@@ -29,7 +29,7 @@ namespace internal {
 
 struct Cross_field_options
 {
-  double curvature_alignment = 0.03;
+  double curvature_alignment = 0.07;
   double diffusion_time = 32;
   int number_of_iterations = 40;
 };

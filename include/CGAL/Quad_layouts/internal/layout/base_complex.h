@@ -8,9 +8,8 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_BASE_COMPLEX_H
 
 #include <CGAL/Quad_layouts/Quad_layout.h>
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/layout/number_classes.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <utility>
 #include <vector>
@@ -22,7 +21,7 @@ namespace internal {
 // Collects edges that are opposite each other in faces into chords.
 inline void collect_chords(Quad_layout& layout)
 {
-  boost::disjoint_sets_with_storage<> sets(layout.number_of_edges());
+  Disjoint_sets sets(layout.number_of_edges());
   for (int h = 0; h < layout.number_of_halfedges(); ++h)
     sets.union_set(Quad_layout::edge(h), Quad_layout::edge(layout.next(layout.next(h))));
   Numbered_classes chords = number_classes(sets, layout.number_of_edges());
@@ -53,7 +52,7 @@ inline void mark_separatrices(Quad_layout& layout)
 // Collects the faces that no separatrix divides into patches.
 inline void collect_patches(Quad_layout& layout)
 {
-  boost::disjoint_sets_with_storage<> sets(layout.number_of_faces());
+  Disjoint_sets sets(layout.number_of_faces());
   for (int e = 0; e < layout.number_of_edges(); ++e)
     if (!layout.is_on_separatrix(e))
       sets.union_set(layout.face(2 * e), layout.face(2 * e + 1));

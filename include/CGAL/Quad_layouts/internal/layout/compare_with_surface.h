@@ -7,11 +7,10 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_COMPARE_WITH_SURFACE_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_COMPARE_WITH_SURFACE_H
 
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/layout/fibres.h>
 #include <CGAL/Quad_layouts/internal/layout/glued_squares.h>
 #include <CGAL/Quad_layouts/internal/layout/number_classes.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <string>
 #include <vector>
@@ -59,7 +58,7 @@ inline std::string local_difference(const Fibres& fibres, const Glued_squares& s
 // Returns the component of the T-mesh that each patch belongs to, numbered from 0.
 inline std::vector<int> component_of_patches(const T_mesh& t)
 {
-  boost::disjoint_sets_with_storage<> sets(t.number_of_faces());
+  Disjoint_sets sets(t.number_of_faces());
   for (int a = 0; a < t.number_of_edges(); ++a)
     sets.union_set(t.face(2 * a), t.face(2 * a + 1));
   return number_classes(sets, t.number_of_faces()).class_of;

@@ -7,9 +7,8 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_FIBRE_LOOPS_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_FIBRE_LOOPS_H
 
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/layout/fibres.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -133,7 +132,7 @@ private:
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 
     const int outside = int(m_fibre.patches.size());     // one dual node for all that is not filled
-    boost::disjoint_sets_with_storage<> sets(outside + 1);
+    Disjoint_sets sets(outside + 1);
     const auto dual_node = [&](int patch) { return patch < 0 ? outside : m_local_patch.at(patch); };
     std::vector<Loop> result;
     for (auto c = candidates.rbegin(); c != candidates.rend(); ++c) {
@@ -143,7 +142,7 @@ private:
       if (a == b)
         result.push_back(*c);
       else
-        sets.link(a, b);
+        sets.union_set(a, b);
     }
     std::reverse(result.begin(), result.end());
     return result;

@@ -7,10 +7,9 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_FIBRES_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_FIBRES_H
 
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/layout/arc_grid.h>
 #include <CGAL/Quad_layouts/internal/layout/number_classes.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <utility>
 #include <vector>
@@ -108,7 +107,7 @@ private:
   void group_points()
   {
     const int n = m_grid->number_of_points();
-    boost::disjoint_sets_with_storage<> sets(n);
+    Disjoint_sets sets(n);
     for (const Zero_connection& c : m_connections)
       sets.union_set(c.from, c.to);
     Numbered_classes classes = number_classes(sets, n);

@@ -7,7 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_NUMBER_CLASSES_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_LAYOUT_NUMBER_CLASSES_H
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 
 #include <vector>
 
@@ -22,7 +22,7 @@ struct Numbered_classes
   std::vector<int> class_of;
 };
 
-inline Numbered_classes number_classes(boost::disjoint_sets_with_storage<>& sets, int n)
+inline Numbered_classes number_classes(Disjoint_sets& sets, int n)
 {
   Numbered_classes result;
   std::vector<int> class_of_root(n, -1);

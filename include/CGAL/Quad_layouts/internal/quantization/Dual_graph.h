@@ -9,9 +9,6 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 
-// before the graphs of Boost, whose `detail::get` hides the one that it calls
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
 #include <boost/property_map/property_map.hpp>
