@@ -4,7 +4,7 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Remeshes a closed triangle mesh with quads, in one call.
+// Computes a quad layout of a closed triangle mesh in one call, and a quad mesh in another.
 
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/quad_remesh.h>
@@ -22,13 +22,23 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/bunny00.off");
-  Mesh mesh, quads;
+  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/knot1.off");
+  Mesh mesh, layout, quads;
   if (!CGAL::IO::read_polygon_mesh(file, mesh)) {
     std::cerr << "cannot read " << file << '\n';
     return EXIT_FAILURE;
   }
-  QL::quad_remesh(mesh, quads);
+
+  try {
+    QL::quad_layout(mesh, layout);
+    std::cout << "a layout of " << layout.number_of_faces() << " faces\n";
+
+    // Singularities may go farther than by default, for a simpler layout of the quads.
+    QL::quad_remesh(mesh, quads, QL::parameters::maximum_displacement(4));
+  } catch (const QL::Error& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 
   const QL::Quad_mesh_measures quality = QL::measure_quad_mesh(quads, mesh);
   std::cout << quality.quads << " quads in " << quality.patches << " patches, scaled Jacobian "

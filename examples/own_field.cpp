@@ -4,16 +4,16 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Traces a T-mesh in a field of our own: in each face the horizontal direction, so that one family
-// of lines runs level around the model.
+// Remeshes a model with quads that follow a field of our own: in each face the horizontal direction,
+// so that one family of lines runs level around the model.
 
-#include <CGAL/Quad_layouts/compute_cross_field.h>
-#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
+#include <CGAL/Quad_layouts/measure_quad_mesh.h>
+#include <CGAL/Quad_layouts/quad_remesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -29,8 +29,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 int main(int argc, char* argv[])
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/knot1.off");
-  Mesh mesh;
-  if (!PMP::IO::read_polygon_mesh(filename, mesh)) {
+  Mesh mesh, quads;
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh)) {
     std::cerr << "cannot read " << filename << std::endl;
     return EXIT_FAILURE;
   }
@@ -44,14 +44,13 @@ int main(int argc, char* argv[])
   }
 
   try {
-    const QL::Cross_field field =
-      QL::compute_cross_field(mesh, QL::parameters::face_direction_map(directions));
-    const QL::T_mesh t_mesh = QL::trace_motorcycle_graph(field);
-    std::cout << field.number_of_singularities() << " singularities, " << t_mesh.number_of_faces()
-              << " patches in the T-mesh" << std::endl;
+    QL::quad_remesh(mesh, quads, QL::parameters::face_direction_map(directions));
   } catch (const QL::Error& error) {
     std::cerr << error.what() << std::endl;
     return EXIT_FAILURE;
   }
-  return EXIT_SUCCESS;
+  const QL::Quad_mesh_measures quality = QL::measure_quad_mesh(quads);
+  std::cout << quality.quads << " quads, " << quality.irregular_vertices
+            << " irregular vertices, " << quality.patches << " patches" << std::endl;
+  return CGAL::IO::write_polygon_mesh("quads.off", quads) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

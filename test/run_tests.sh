@@ -21,9 +21,5 @@ cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 
 # a program that does not compile is a test that fails
 cmake --build "$build" --parallel 2 -- --keep-going || true
 
-log=$build/ctest.log
-(cd "$build" && ctest --output-on-failure --parallel 2) 2>&1 | tee "$log" || true
-summary='s/.*tests passed, \([0-9]*\) tests\{0,1\} failed out of \([0-9]*\).*/\1 \2/p'
-read -r failed all <<<"$(sed -n "$summary" "$log")"
-echo "$((all - failed)) passed, $failed failed"
-exit $((failed > 0))
+trap - ERR
+scripts/run_ctest.sh "$build"
