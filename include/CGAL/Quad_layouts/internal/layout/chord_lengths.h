@@ -94,7 +94,8 @@ inline std::vector<double> fit_chord_lengths(const T_mesh& t, const Quad_layout&
   std::vector<double> result;
   for (int c = 0; c < n; ++c)
     result.push_back((std::max)(length[c], least * sum[c] / count[c]));
-  scale_to_area(t.surface(), layout, result);
+  if (t.surface_pointer) // a T-mesh made by hand may have none
+    scale_to_area(t.surface(), layout, result);
   return result;
 }
 
