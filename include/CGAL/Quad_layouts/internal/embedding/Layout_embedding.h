@@ -109,7 +109,7 @@ public:
       is_cone[c.vertex] = 1;
     const Map start = make_map(m_mesh, is_cone, m_unit);
     Integer_grid_map best;
-    constexpr Solution_attempt attempts[] = {{4000, 0.5}, {4000, 0.1}, {7000, 0.3}, {3000, 0.1}, {12000, 0.1}};
+    constexpr Solution_attempt attempts[] = {{4000, 0.5}, {7000, 0.3}, {3000, 0.2}, {12000, 0.2}};
     for (const auto& [size, haste] : attempts) {
       Map map = start;
       if (!solve_coarse_to_fine(map, m_cones, {size + 40 * int(m_cones.size()), haste}, m_monitor))

@@ -75,7 +75,7 @@ private:
 // the worst triangle is allowed from one epsilon to the next. Returns whether it succeeded.
 inline bool untangle(Newton& newton, double haste, const Monitor& monitor)
 {
-  constexpr int max_steps = 150;
+  constexpr int max_steps = 300;
   double epsilon = 1;
   for (int steps = 0; steps < max_steps;) {
     const Distortion_energy energy(epsilon);
