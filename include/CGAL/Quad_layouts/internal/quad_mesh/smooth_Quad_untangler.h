@@ -87,8 +87,7 @@ private:
   // the normal of the triangle nearest to the centre of a quad
   Vector surface_normal(const Quad& quad) const
   {
-    const Surface_walk& walk = m_quads.walk();
-    return walk.surface().normal(walk.nearest_face(centre(quad)));
+    return m_quads.walk().nearest_normal(centre(quad), area_vector(quad));
   }
 
   // the scaled Jacobian, or minus one if the quad opposes the surface

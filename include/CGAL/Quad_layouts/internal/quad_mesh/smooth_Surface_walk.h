@@ -59,8 +59,19 @@ public:
     return {chosen.point, chosen.triangle};
   }
 
-  // the triangle nearest to p
-  int nearest_face(const Vector& p) const { return m_tree.nearest(p).triangle; }
+  // Returns the unit normal of the triangle nearest to p. If that is no single one, as they share an
+  // edge or vertex, the normal is the one that agrees least with `direction`.
+  Vector nearest_normal(const Vector& p, const Vector& direction) const
+  {
+    const int nearest = m_tree.nearest(p).triangle;
+    Vector result = m_surface.normal(nearest);
+    for_each_face_beyond(project(nearest, p), [&](int face) {
+      const Vector n = m_surface.normal(face);
+      if (n.dot(direction) < result.dot(direction))
+        result = n;
+    });
+    return result;
+  }
 
   // the place to which a point that follows `target` gets from `start`
   Place slide(const Place& start, const Vector& target) const
@@ -153,21 +164,26 @@ private:
     return result;
   }
 
+  // visits the faces that share the edge or vertex at which `here` lies
+  template <class Visit>
+  void for_each_face_beyond(const Projection& here, const Visit& visit) const
+  {
+    if (here.where == Projection::ON_EDGE && m_surface.opposite(here.halfedge) >= 0)
+      visit(m_surface.face(m_surface.opposite(here.halfedge)));
+    else if (here.where == Projection::AT_VERTEX)
+      m_surface.for_each_outgoing(m_surface.source(here.halfedge),
+                                  [&](int h) { visit(m_surface.face(h)); });
+  }
+
   // moves to the best of the faces that share the edge or vertex at which `here` lies
   bool step_closer(const Vector& target, Projection& here) const
   {
     const double reached = here.squared_distance;
-    const Projection from = here;
-    const auto try_face = [&](int face) {
+    for_each_face_beyond(Projection(here), [&](int face) {
       const Projection p = project(face, target);
       if (p.squared_distance < here.squared_distance)
         here = p;
-    };
-    if (from.where == Projection::ON_EDGE && m_surface.opposite(from.halfedge) >= 0)
-      try_face(m_surface.face(m_surface.opposite(from.halfedge)));
-    else if (from.where == Projection::AT_VERTEX)
-      m_surface.for_each_outgoing(m_surface.source(from.halfedge),
-                                  [&](int h) { try_face(m_surface.face(h)); });
+    });
     return here.squared_distance < reached;
   }
 
