@@ -82,12 +82,30 @@ def examine(model, options):
     return row, not faults
 
 
+def is_closed(model):
+    """Tell whether each edge of a triangle mesh in OFF belongs to two triangles, in opposite directions."""
+    with open(model, encoding="utf-8", errors="replace") as stream:
+        words = [word for line in stream for word in line.split("#")[0].split()]
+    try:
+        vertices, faces = int(words[1]), int(words[2])
+        edges, at = set(), 4 + 3 * vertices
+        for _ in range(faces):
+            corners = words[at + 1:at + 4]
+            if words[at] != "3":
+                return False
+            edges.update(zip(corners, corners[1:] + corners[:1]))
+            at += 4
+    except (ValueError, IndexError):
+        return False
+    return faces > 0 and len(edges) == 3 * faces and all((b, a) in edges for a, b in edges)
+
+
 def select(options):
     """List the model files."""
     files = sorted(f for folder in options.data for f in glob.glob(os.path.join(folder, "*.off")))
     if options.models:
         files = [f for f in files if os.path.splitext(os.path.basename(f))[0] in options.models]
-    return files
+    return [f for f in files if is_closed(f)]
 
 
 def main():
