@@ -52,7 +52,6 @@ public:
       monitor.report("smooth_quad_mesh", 0.5 + double(i) / (2 * n));
       sweep_unsettled([this](int v) { m_steps.improve_shape(v); });
     }
-    Quad_untangler(m_quads).unfold();
     polish_worst();
     Quad_untangler(m_quads).repair();
   }

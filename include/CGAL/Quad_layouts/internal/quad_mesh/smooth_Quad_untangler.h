@@ -57,7 +57,7 @@ public:
   // its normals at their corners nor derivatives tell the way. Improves poor quads, too.
   void repair()
   {
-    constexpr double poor = 0.3;
+    constexpr double poor = 0.5;
     const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
     const auto search_anew = [this](const std::vector<int>& region, int rings) {
       relax_freely(region, 5 * rings);
@@ -184,7 +184,7 @@ private:
 
   void search(const std::vector<int>& region)
   {
-    constexpr int rounds = 3;
+    constexpr int rounds = 2;
     for (int i = 0; i < rounds; ++i)
       for (const double fraction : {0.5, 0.25, 0.125, 0.0625})
         for (const int v : region)
