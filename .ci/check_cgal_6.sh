@@ -22,4 +22,5 @@ if [ ! -d "$folder/usr/include/CGAL" ]; then
   exit
 fi
 sources=$(echo examples/*.cpp benchmark/*.cpp test/test_parameters.cpp test/test_graph_traits*.cpp)
-.ci/check_syntax.sh "$sources" g++ -isystem "$folder/usr/include"
+compiler=$(command -v clang++ || echo g++) # clang takes less than half the time
+.ci/check_syntax.sh "$sources" "$compiler" -isystem "$folder/usr/include"
