@@ -76,7 +76,7 @@ void remesh(const Mesh& mesh, Mesh& quads)
 
 int main(int argc, char* argv[])
 {
-  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/knot1.off");
+  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elk.off");
   Mesh mesh, quads;
   if (!CGAL::IO::read_polygon_mesh(file, mesh)) {
     std::cerr << "cannot read " << file << '\n';
