@@ -20,15 +20,16 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsClasses
 
-is a cross field on a triangle mesh: four directions a quarter-turn apart in each face, a matching of the
-directions of adjacent faces, and the index of each vertex that follows.
+is a cross field on a triangle mesh: four directions a quarter-turn apart in each face, a matching
+of the directions of adjacent faces, and the index of each vertex that follows.
 
-The elements of the mesh are numbered: face `f` is the `f`-th of `faces(tm)`, vertex `v` the `v`-th of `vertices(tm)`.
-The field carries a compact copy of the mesh, its *surface*, in which face `f` owns the halfedges `3f`, `3f+1`,
-`3f+2`, in the order in which `halfedge(f, tm)` and its successors come in the mesh.
+The elements of the mesh are numbered: face `f` is the `f`-th of `faces(tm)`, vertex `v` the `v`-th
+of `vertices(tm)`. The field carries a compact copy of the mesh, its *surface*, in which face `f`
+owns the halfedges `3f`, `3f+1`, `3f+2`, in the order in which `halfedge(f, tm)` and its successors
+come in the mesh.
 
-Direction `d` (0 to 3, counter-clockwise) of face `f` has the angle `angle(f)` + `d` pi/2 with the first halfedge of
-the face.
+Direction `d` (0 to 3, counter-clockwise) of face `f` has the angle `angle(f)` + `d` pi/2 with the
+first halfedge of the face.
 */
 class Cross_field
 {
@@ -56,10 +57,11 @@ public:
     constexpr double right_angle = 1.57079632679489661923;
     return m_surface->direction(f, m_angle[f] + d * right_angle);
   }
-  /// returns the `p` in 0..3 such that direction `d` of the face of halfedge `h` continues as direction
-  /// `d + p` (mod 4) of the face on the other side.
+  /// returns the `p` in 0..3 such that direction `d` of the face of halfedge `h` continues as
+  /// direction `d + p` (mod 4) of the face on the other side.
   int matching(int h) const { return m_matching[h]; }
-  /// returns the index of vertex `v` in quarters: +1 where four minus one lines leave, -1 where five do.
+  /// returns the index of vertex `v` in quarters: +1 where four minus one lines leave, -1 where
+  /// five do.
   int index(int v) const { return m_index[v]; }
   /// returns the number of vertices whose index is not 0.
   int number_of_singularities() const

@@ -21,15 +21,15 @@ namespace Quad_layouts {
 
 is a closed, oriented cell complex on a surface, stored as a halfedge structure in index arrays.
 
-It is the common base of `T_mesh` and `Quad_layout`. Unlike most mesh structures it allows what coarse
-layouts need: an edge may be a loop, a face may touch itself along an edge or in a vertex, two vertices may be
-joined by several edges (a torus can have a single face).
+It is the common base of `T_mesh` and `Quad_layout`. Unlike most mesh structures it allows what
+coarse layouts need: an edge may be a loop, a face may touch itself along an edge or in a vertex,
+two vertices may be joined by several edges (a torus can have a single face).
 
-Vertices, edges, halfedges and faces are numbered from 0. Edge `e` has the halfedges `2e` and `2e+1`;
-halfedge `h` has its face on its left.
+Vertices, edges, halfedges and faces are numbered from 0. Edge `e` has the halfedges `2e` and
+`2e+1`; halfedge `h` has its face on its left.
 
-`Halfedge_complex` and the classes derived from it are models of `FaceListGraph` and `HalfedgeListGraph`: include
-`CGAL/Quad_layouts/graph_traits_Halfedge_complex.h`.
+`Halfedge_complex` and the classes derived from it are models of `FaceListGraph` and
+`HalfedgeListGraph`: include `CGAL/Quad_layouts/graph_traits_Halfedge_complex.h`.
 */
 class Halfedge_complex
 {

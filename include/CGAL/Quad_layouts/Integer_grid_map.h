@@ -24,13 +24,13 @@ namespace Quad_layouts {
 
 is a map of a surface onto a quad layout, whose edges have integer lengths: an integer-grid map.
 
-Each triangle of the (refined) surface has a chart, in which its corners have coordinates. Across an edge the chart
-changes by a number of quarter-turns and an integer translation. Layout vertices are at integer points,
-layout edges on integer lines. Around an *anchor*, a surface vertex that is a layout vertex of valence n, the triangles span
-n quarter-turns, around every other vertex four.
+Each triangle of the (refined) surface has a chart, in which its corners have coordinates. Across an
+edge the chart changes by a number of quarter-turns and an integer translation. Layout vertices are
+at integer points, layout edges on integer lines. Around an *anchor*, a surface vertex that is a
+layout vertex of valence n, the triangles span n quarter-turns, around every other vertex four.
 
-Coordinates are multiples of 2^-24 below 2^24 in magnitude. So transitions are exact in double precision, and
-predicates on them can be decided exactly.
+Coordinates are multiples of 2^-24 below 2^24 in magnitude. So transitions are exact in double
+precision, and predicates on them can be decided exactly.
 */
 class Integer_grid_map
 {
@@ -41,8 +41,8 @@ public:
   /// is a change of chart: x goes to (x turned left by `quarter_turns`) + `translation`.
   struct Transition
   {
-    int quarter_turns = 0;       ///< 0 to 3
-    Eigen::Vector2d translation = Eigen::Vector2d::Zero();  ///< integers
+    int quarter_turns = 0;                                 ///< 0 to 3
+    Eigen::Vector2d translation = Eigen::Vector2d::Zero(); ///< integers
 
     static Point_2 turned(const Point_2& x, int quarter_turns)
     {
@@ -57,7 +57,8 @@ public:
     /// returns the change that applies `first` and then this one.
     Transition after(const Transition& first) const
     {
-      return {(quarter_turns + first.quarter_turns) & 3, turned(first.translation, quarter_turns) + translation};
+      return {(quarter_turns + first.quarter_turns) & 3,
+              turned(first.translation, quarter_turns) + translation};
     }
     Transition inverse() const
     {
@@ -68,17 +69,19 @@ public:
   /// ties a surface vertex to a layout vertex, and a direction there to a layout edge.
   struct Anchor
   {
-    int corner;            ///< halfedge of the surface whose source is the anchored vertex
-    int direction;         ///< in the chart of the corner's face: 0 is +x, 1 is +y, 2 is -x, 3 is -y. The line in this
-                           ///< direction leaves through this corner: it lies in the half-open sector from `corner`
-                           ///< counter-clockwise to the next outgoing halfedge
-    int layout_halfedge;   ///< the layout halfedge that begins at the anchor in that direction
+    int corner;    ///< halfedge of the surface whose source is the anchored vertex
+    int direction; ///< in the chart of the corner's face: 0 is +x, 1 is +y, 2 is -x, 3 is -y. The
+                   ///< line in this direction leaves through this corner: it lies in the half-open
+                   ///< sector from `corner` counter-clockwise to the next outgoing halfedge
+    int layout_halfedge; ///< the layout halfedge that begins at the anchor in that direction
   };
 
   const Surface& surface() const { return *surface_pointer; }
-  /// returns the coordinates of the corner at the source of halfedge `h` in the chart of the face of `h`.
+  /// returns the coordinates of the corner at the source of halfedge `h` in the chart of the face
+  /// of `h`.
   const Point_2& coordinates(int h) const { return corner_coordinates[h]; }
-  /// returns the change from the chart of the face of `h` to the chart of the face on the other side.
+  /// returns the change from the chart of the face of `h` to the chart of the face on the other
+  /// side.
   const Transition& transition(int h) const { return halfedge_transition[h]; }
 
   /// \name The arrays
@@ -86,10 +89,12 @@ public:
   std::shared_ptr<const Surface> surface_pointer;
   std::vector<Point_2> corner_coordinates;
   std::vector<Transition> halfedge_transition;
-  std::vector<Anchor> anchors;          ///< at all irregular layout vertices, one per layout halfedge that begins there
-  std::vector<int> chord_length;        ///< per chord of the layout, at least 1: length of its edges in the map
-  int inverted = 0;                     ///< number of triangles without positive area in the map
-  int wrong_winding = 0;                ///< number of vertices whose angle sum is not what the layout says
+  std::vector<Anchor>
+      anchors; ///< at all irregular layout vertices, one per layout halfedge that begins there
+  std::vector<int>
+      chord_length;      ///< per chord of the layout, at least 1: length of its edges in the map
+  int inverted = 0;      ///< number of triangles without positive area in the map
+  int wrong_winding = 0; ///< number of vertices whose angle sum is not what the layout says
   /// @}
 };
 

@@ -19,12 +19,13 @@ namespace Quad_layouts {
 
 is a conforming quad layout of a surface, as combinatorics: the quotient of a quantized T-mesh.
 
-As a cell complex its faces are quadrilaterals, the unit squares of the quantization. Its *patches* are the faces
-of the base complex, the coarsest sub-complex without T-joints that contains all separatrices (chains of edges that leave an irregular
-vertex and go straight on): `patch` says to which patch a face belongs.
+As a cell complex its faces are quadrilaterals, the unit squares of the quantization. Its *patches*
+are the faces of the base complex, the coarsest sub-complex without T-joints that contains all
+separatrices (chains of edges that leave an irregular vertex and go straight on): `patch` says to
+which patch a face belongs.
 
-A *chord* is a class of edges that are opposite each other in faces; all edges of a chord are divided alike in every quad
-mesh with this layout.
+A *chord* is a class of edges that are opposite each other in faces; all edges of a chord are
+divided alike in every quad mesh with this layout.
 */
 class Quad_layout : public Halfedge_complex
 {
@@ -32,17 +33,19 @@ public:
   /// is a layout vertex that stands for one or more nodes at which traces of the T-mesh begin.
   struct Cluster
   {
-    int vertex;               ///< the vertex of the layout
-    int index;                ///< sum of the members' indices, in quarters; the valence is 4 - index
-    std::vector<int> nodes;   ///< the singularities and seeds of the T-mesh that were merged, ascending
+    int vertex; ///< the vertex of the layout
+    int index;  ///< sum of the members' indices, in quarters; the valence is 4 - index
+    std::vector<int>
+        nodes; ///< the singularities and seeds of the T-mesh that were merged, ascending
   };
 
   /// is the grid of unit squares that a patch of the T-mesh turns into.
   struct Grid
   {
-    int width = 0, height = 0;  ///< lengths of sides 0 and 1 of the T-mesh patch
-    /// the squares, if both are positive: `faces[j * width + i]` is, for square (i, j) counted from the corner where
-    /// side 0 begins, its halfedge parallel to side 0 at the lower end, so that x runs along it
+    int width = 0, height = 0; ///< lengths of sides 0 and 1 of the T-mesh patch
+    /// the squares, if both are positive: `faces[j * width + i]` is, for square (i, j) counted from
+    /// the corner where side 0 begins, its halfedge parallel to side 0 at the lower end, so that x
+    /// runs along it
     std::vector<int> squares;
     int square(int i, int j) const { return squares[j * width + i]; }
   };
@@ -76,12 +79,13 @@ public:
   std::vector<int> edge_chord;
   std::vector<char> edge_on_separatrix;
   std::vector<int> face_patch;
-  std::vector<Cluster> clusters;           ///< in ascending order of their first node
-  std::vector<int> node_vertex;            ///< per node of the T-mesh the layout vertex it becomes
-  std::vector<Grid> grids;                 ///< per patch of the T-mesh
-  /// per arc of the T-mesh the layout halfedges that it becomes, in its own direction; none where its length is 0
+  std::vector<Cluster> clusters; ///< in ascending order of their first node
+  std::vector<int> node_vertex;  ///< per node of the T-mesh the layout vertex it becomes
+  std::vector<Grid> grids;       ///< per patch of the T-mesh
+  /// per arc of the T-mesh the layout halfedges that it becomes, in its own direction; none where
+  /// its length is 0
   std::vector<std::vector<int>> arc_halfedges;
-  std::vector<double> chord_length;        ///< per chord a length on the surface, fitted to the T-mesh
+  std::vector<double> chord_length; ///< per chord a length on the surface, fitted to the T-mesh
   /// @}
 };
 

@@ -16,24 +16,25 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsClasses
 
-is a quantization of a T-mesh: a non-negative integer length per arc, such that opposite sides of every patch
-are equally long, and the evidence of how good it is.
+is a quantization of a T-mesh: a non-negative integer length per arc, such that opposite sides of
+every patch are equally long, and the evidence of how good it is.
 */
 struct Quantization
 {
   enum Status {
-    OPTIMAL,       ///< proven to have the least objective
-    FEASIBLE,      ///< valid, but a better one may exist: the search ended at its limit of time or work
-    INFEASIBLE     ///< no valid quantization was found; `arc_length` is empty
+    OPTIMAL,   ///< proven to have the least objective
+    FEASIBLE,  ///< valid, but a better one may exist: the search ended at its limit of time or work
+    INFEASIBLE ///< no valid quantization was found; `arc_length` is empty
   };
 
-  std::vector<int> arc_length;         ///< per arc of the T-mesh
+  std::vector<int> arc_length; ///< per arc of the T-mesh
   Status status = INFEASIBLE;
-  double objective = 0;                ///< Equation (9) of \cgalCite{lck-sqlrs-21}
-  double bound = -(std::numeric_limits<double>::infinity)();  ///< no valid quantization is below this
-  int violated = 0;                    ///< number of soft constraints that had to be given up
-  int variables = 0, constraints = 0, indicators = 0;          ///< size of the integer program
-  int rounds = 0;                      ///< how often validity cuts were added and the program solved again
+  double objective = 0; ///< Equation (9) of \cgalCite{lck-sqlrs-21}
+  double bound = -(
+      std::numeric_limits<double>::infinity)(); ///< no valid quantization is below this
+  int violated = 0; ///< number of soft constraints that had to be given up
+  int variables = 0, constraints = 0, indicators = 0; ///< size of the integer program
+  int rounds = 0; ///< how often validity cuts were added and the program solved again
 
   /// returns the relative distance of `objective` from `bound`, 0 if optimal.
   double gap() const

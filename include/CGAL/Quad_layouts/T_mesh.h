@@ -20,16 +20,18 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsClasses
 
-is a T-mesh: a partition of a surface into four-sided patches by the traces of an extended motorcycle graph
+is a T-mesh: a partition of a surface into four-sided patches by the traces of an extended
+motorcycle graph
 (\cgalCite{lck-sqlrs-21}, Section 3.1).
 
-As a cell complex its vertices are called *nodes*, its edges *arcs*, its faces *patches*. Node kinds are singularities
-and seeds (both at a vertex of the surface), crossings of two traces, and T-joints, where a trace ends on another. Arc
-`a` belongs to one trace; its halfedge `2a` points the way the trace runs.
+As a cell complex its vertices are called *nodes*, its edges *arcs*, its faces *patches*. Node kinds
+are singularities and seeds (both at a vertex of the surface), crossings of two traces, and
+T-joints, where a trace ends on another. Arc `a` belongs to one trace; its halfedge `2a` points the
+way the trace runs.
 
-A patch is a disc with four corners; `is_corner(h)` says that the patch of `h` has a corner between `h` and `next(h)`.
-A patch's *side* is a maximal chain of halfedges without a corner inside. `halfedge_of(p)` is the first
-halfedge of a side.
+A patch is a disc with four corners; `is_corner(h)` says that the patch of `h` has a corner between
+`h` and `next(h)`. A patch's *side* is a maximal chain of halfedges without a corner inside.
+`halfedge_of(p)` is the first halfedge of a side.
 */
 class T_mesh : public Halfedge_complex
 {
@@ -37,8 +39,8 @@ public:
   /// is the path of one motorcycle.
   struct Trace
   {
-    int start;               ///< the node (singularity or seed) where it begins
-    std::vector<int> arcs;   ///< its arcs in the order of travel; arc `a` is run along halfedge `2a`
+    int start;             ///< the node (singularity or seed) where it begins
+    std::vector<int> arcs; ///< its arcs in the order of travel; arc `a` is run along halfedge `2a`
   };
 
   /// says that trace `trace` passes (or ends in) a node after its first `arcs` arcs.
@@ -62,7 +64,8 @@ public:
   /// says if node `n` is where traces begin.
   bool is_singularity_or_seed(int n) const { return node_surface_vertex[n] >= 0; }
 
-  /// returns the four sides of patch `p` in counter-clockwise order, beginning with `halfedge_of(p)`.
+  /// returns the four sides of patch `p` in counter-clockwise order, beginning with
+  /// `halfedge_of(p)`.
   std::array<std::vector<int>, 4> sides(int p) const
   {
     std::array<std::vector<int>, 4> result;
@@ -79,19 +82,22 @@ public:
   /// \name The arrays
   /// @{
   std::shared_ptr<const Surface> surface_pointer;
-  std::vector<double> arc_length;        ///< in the metric of the field; for a unit field, length on the surface
+  std::vector<double>
+      arc_length; ///< in the metric of the field; for a unit field, length on the surface
   std::vector<int> arc_trace;
   std::vector<char> halfedge_is_corner;
   std::vector<int> node_surface_vertex;
   std::vector<int> node_index;
   std::vector<Trace> traces;
-  /// per node the passing traces: none at singularities and seeds, else two (the second one ends here at a T-joint
-  /// or both pass). A trace that crosses itself is listed twice. The second visit is that of the longer trace:
-  /// l_ij > l_ji for i the second and j the first, equal lengths being ordered by the numbers of the traces.
+  /// per node the passing traces: none at singularities and seeds, else two (the second one ends
+  /// here at a T-joint or both pass). A trace that crosses itself is listed twice. The second visit
+  /// is that of the longer trace: l_ij > l_ji for i the second and j the first, equal lengths being
+  /// ordered by the numbers of the traces.
   std::vector<std::vector<Visit>> node_visits;
 
   /// per edge of the surface the halfedges of the arcs that cross it, in order from the source of
-  /// `surface().halfedge_of_edge(e)` to its target; the patch of each is on the side of that source.
+  /// `surface().halfedge_of_edge(e)` to its target; the patch of each is on the side of that
+  /// source.
   std::vector<std::vector<int>> edge_crossings;
   /// per corner (halfedge of the surface) the halfedges of the arcs that leave the node at its
   /// source into its face, counter-clockwise; empty away from nodes.

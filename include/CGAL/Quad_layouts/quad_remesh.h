@@ -27,10 +27,10 @@ namespace Quad_layouts {
 
 computes a simple quad layout of a closed triangle mesh: few four-sided patches, without T-joints.
 
-It runs `compute_cross_field()`, `trace_motorcycle_graph()`, `quantize()` and `extract_quad_layout()`, and
-passes `np` to each of them. The layout is appended to `out` as a mesh of quadrilaterals with straight edges. A patch may be
-several faces long. Coarse layouts can have loops and several edges between two vertices, which not
-every function on meshes expects.
+It runs `compute_cross_field()`, `trace_motorcycle_graph()`, `quantize()` and
+`extract_quad_layout()`, and passes `np` to each of them. The layout is appended to `out` as a mesh
+of quadrilaterals with straight edges. A patch may be several faces long. Coarse layouts can have
+loops and several edges between two vertices, which not every function on meshes expects.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam LayoutMesh a model of `MutableFaceGraph`
@@ -39,13 +39,15 @@ every function on meshes expects.
 
 \param tm the surface
 \param out the mesh that the layout is added to
-\param np an optional sequence of the named parameters of the stages: `maximum_deviation`, `maximum_displacement`,
-          `target_edge_length`, `minimum_valence`, `maximum_valence`, `maximum_running_time`, `vertex_point_map`, `visitor`, ...
-\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`: `vertex_point_map`
+\param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
+`maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
+`maximum_running_time`, `vertex_point_map`, `visitor`, ... \param np_out an optional sequence of
+\ref bgl_namedparameters "Named Parameters" for `out`: `vertex_point_map`
 
 \throw Error one of the exceptions of the stages. Nothing has been added to `out` then.
 */
-template <class TriangleMesh, class LayoutMesh, class NamedParameters = parameters::Default_named_parameters,
+template <class TriangleMesh, class LayoutMesh,
+          class NamedParameters = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
 void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
                  const NamedParameters& np = parameters::default_values(),
@@ -71,16 +73,18 @@ them.
 
 \param tm the surface
 \param out the mesh that the quadrilaterals are stored in; it must be empty
-\param np an optional sequence of the named parameters of the stages: `maximum_deviation`, `maximum_displacement`,
-          `target_edge_length`, `minimum_valence`, `maximum_valence`, `maximum_running_time`, `vertex_point_map`, `visitor`, ...
-\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`: those of `extract_quad_mesh()`
-              and `smooth_quad_mesh()`
+\param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
+`maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
+`maximum_running_time`, `vertex_point_map`, `visitor`, ... \param np_out an optional sequence of
+\ref bgl_namedparameters "Named Parameters" for `out`: those of `extract_quad_mesh()` and
+`smooth_quad_mesh()`
 
 \pre `out` is empty.
 
 \throw Error one of the exceptions of the stages. `out` is empty then.
 */
-template <class TriangleMesh, class QuadMesh, class NamedParameters = parameters::Default_named_parameters,
+template <class TriangleMesh, class QuadMesh,
+          class NamedParameters = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
 void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
                  const NamedParameters& np = parameters::default_values(),

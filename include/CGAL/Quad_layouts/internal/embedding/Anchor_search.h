@@ -21,9 +21,10 @@ namespace internal {
 
 // Finds which layout edge begins in which direction at the cones of a map.
 //
-// At the first cone of a component any of the valence many assignments might be right. One that is leads along every layout
-// edge to the place where the layout says it ends, and so finds the assignments at all other cones; a wrong one soon ends
-// somewhere else. So what is found is also proven: the layout is embedded.
+// At the first cone of a component any of the valence many assignments might be right. One that is
+// leads along every layout edge to the place where the layout says it ends, and so finds the
+// assignments at all other cones; a wrong one soon ends somewhere else. So what is found is also
+// proven: the layout is embedded.
 class Anchor_search
 {
 public:
@@ -33,7 +34,8 @@ public:
     int surface_vertex, layout_vertex;
   };
 
-  Anchor_search(const Integer_grid_map& map, const Quad_layout& layout, const std::vector<Cone_place>& cones)
+  Anchor_search(const Integer_grid_map& map, const Quad_layout& layout,
+                const std::vector<Cone_place>& cones)
     : m_map(map), m_layout(layout), m_lines(map), m_cone_at(layout.number_of_vertices(), -1),
       m_start(layout.number_of_halfedges())
   {
@@ -47,7 +49,8 @@ public:
         add_anchors(c);
   }
 
-  // one per layout halfedge that begins at a cone; none if there is a component in which no assignment is consistent
+  // one per layout halfedge that begins at a cone; none if there is a component in which no
+  // assignment is consistent
   const std::vector<Integer_grid_map::Anchor>& anchors() const { return m_anchors; }
 
 private:
@@ -62,7 +65,8 @@ private:
     return false;
   }
 
-  // a direction that leaves through a face at the source of `corner`; less than four quarter-turns may be all there are
+  // a direction that leaves through a face at the source of `corner`; less than four quarter-turns
+  // may be all there are
   Map_heading some_heading(int corner) const
   {
     Map_heading heading;
@@ -71,7 +75,8 @@ private:
     return heading;
   }
 
-  // tries `heading` for the first halfedge of v; undoes everything if some edge does not arrive where it should
+  // tries `heading` for the first halfedge of v; undoes everything if some edge does not arrive
+  // where it should
   bool is_consistent(int v, const Map_heading& heading)
   {
     std::vector<int> reached;
@@ -113,7 +118,8 @@ private:
       return false;
     const Map_heading back = m_lines.entered(stops.back().turned(2));
     const int twin = Quad_layout::opposite(h);
-    return m_start[twin].is_valid() ? back == m_start[twin] : set_starts(twin, back, reached, queue);
+    return m_start[twin].is_valid() ? back == m_start[twin]
+                                    : set_starts(twin, back, reached, queue);
   }
 
   // whether a cone, if that is what layout vertex v is, lies where a line has arrived
@@ -143,8 +149,8 @@ private:
   const Integer_grid_map& m_map;
   const Quad_layout& m_layout;
   Line_tracer m_lines;
-  std::vector<int> m_cone_at;              // per layout vertex its surface vertex, -1 if it is not a cone
-  std::vector<Map_heading> m_start;        // per layout halfedge
+  std::vector<int> m_cone_at;       // per layout vertex its surface vertex, -1 if it is not a cone
+  std::vector<Map_heading> m_start; // per layout halfedge
   std::vector<int> m_failed;
   std::vector<Integer_grid_map::Anchor> m_anchors;
 };

@@ -20,14 +20,15 @@ namespace internal {
 
 // A triangle mesh with a chart per face, whose edges can be split.
 //
-// Halfedges are numbered as in Triangle_surface. New vertices and faces are appended; a face keeps its
-// number and chart when it is split, and its new part gets the same chart.
+// Halfedges are numbered as in Triangle_surface. New vertices and faces are appended; a face keeps
+// its number and chart when it is split, and its new part gets the same chart.
 class Charted_mesh
 {
 public:
   explicit Charted_mesh(const Triangle_surface& surface)
     : points(surface.points()), transition(surface.number_of_halfedges()),
-      cone_position(surface.number_of_halfedges(), Point2(0, 0)), direction(surface.number_of_faces())
+      cone_position(surface.number_of_halfedges(), Point2(0, 0)),
+      direction(surface.number_of_faces())
   {
     for (int h = 0; h < surface.number_of_halfedges(); ++h) {
       m_source.push_back(surface.source(h));
@@ -60,7 +61,8 @@ public:
 
   Point normal(int f) const
   {
-    const Point &p = points[m_source[3 * f]], &q = points[m_source[3 * f + 1]], &r = points[m_source[3 * f + 2]];
+    const Point &p = points[m_source[3 * f]], &q = points[m_source[3 * f + 1]],
+                &r = points[m_source[3 * f + 2]];
     return (q - p).cross(r - p).normalized();
   }
 
@@ -86,20 +88,24 @@ public:
   }
 
   std::vector<Point> points;
-  std::vector<Chart_change> transition;  // per halfedge, from the chart of its face to that on the other side
-  std::vector<Point2> cone_position;     // per corner of a cone: its place in the chart of the face
-  std::vector<Point> direction;          // per face: a unit vector in space along which +x of its chart should point
+  std::vector<Chart_change>
+      transition; // per halfedge, from the chart of its face to that on the other side
+  std::vector<Point2> cone_position; // per corner of a cone: its place in the chart of the face
+  std::vector<Point>
+      direction; // per face: a unit vector in space along which +x of its chart should point
 
 private:
-  // Cuts the face of h from a new vertex m on h to the opposite corner. The part at the target of h becomes a new
-  // face, or that at the source if `keep_target`. Returns the half of h that is in the new face.
+  // Cuts the face of h from a new vertex m on h to the opposite corner. The part at the target of h
+  // becomes a new face, or that at the source if `keep_target`. Returns the half of h that is in
+  // the new face.
   int split_face(int h, int m, bool keep_target)
   {
     const int n = next(h), p = prev(h), first = number_of_halfedges();
     const std::array<int, 3> corners = keep_target
-                                         ? std::array<int, 3>{m_source[h], m, m_source[p]}
-                                         : std::array<int, 3>{m, m_source[n], m_source[p]};
-    const std::array<int, 3> old = keep_target ? std::array<int, 3>{h, h, p} : std::array<int, 3>{h, n, p};
+                                           ? std::array<int, 3>{m_source[h], m, m_source[p]}
+                                           : std::array<int, 3>{m, m_source[n], m_source[p]};
+    const std::array<int, 3> old = keep_target ? std::array<int, 3>{h, h, p}
+                                               : std::array<int, 3>{h, n, p};
     for (int k = 0; k < 3; ++k) {
       m_source.push_back(corners[k]);
       m_opposite.push_back(-1);
@@ -107,7 +113,8 @@ private:
       cone_position.push_back(cone_position[old[k]]);
     }
     direction.push_back(Point(direction[h / 3]));
-    // of the two sides of the old face beside h, one moves to the new face and the cut takes its place
+    // of the two sides of the old face beside h, one moves to the new face and the cut takes its
+    // place
     const int moved = keep_target ? p : n, heir = keep_target ? first + 2 : first + 1;
     const int cut = keep_target ? first + 1 : first + 2;
     glue(heir, m_opposite[moved], transition[moved]);

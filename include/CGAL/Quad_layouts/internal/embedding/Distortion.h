@@ -18,9 +18,10 @@ namespace internal {
 
 // The distortion of a triangle under a map with the Jacobian J:
 //   (|J|^2 + w (det J)^2 + w) / chi(det J),   chi(d) = (d + sqrt(d^2 + epsilon^2)) / 2.
-// With epsilon = 0 it is finite for det J > 0 only, and least for rotations; the first part measures the loss of angles,
-// the second that of area. With epsilon > 0 it is finite everywhere and pulls inverted triangles right
-// (Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov 2021).
+// With epsilon = 0 it is finite for det J > 0 only, and least for rotations; the first part
+// measures the loss of angles, the second that of area. With epsilon > 0 it is finite everywhere
+// and pulls inverted triangles right (Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov
+// 2021).
 class Distortion
 {
 public:
@@ -55,7 +56,8 @@ public:
     const double by_det = 2 * m_weight * d / c + s * by_both;
     const double by_det2 = 2 * m_weight / c + 4 * m_weight * d * by_both +
                            s * (2 * c1 * c1 / c - c2) / (c * c);
-    const Vector4 by_j(j(0, 0), j(1, 0), j(0, 1), j(1, 1)), cofactor(j(1, 1), -j(0, 1), -j(1, 0), j(0, 0));
+    const Vector4 by_j(j(0, 0), j(1, 0), j(0, 1), j(1, 1)),
+        cofactor(j(1, 1), -j(0, 1), -j(1, 0), j(0, 0));
     gradient = 2 * by_norm * by_j + by_det * cofactor;
     const Matrix4 mixed = by_j * cofactor.transpose();
     hessian = 2 * by_both * (mixed + mixed.transpose()) + by_det2 * cofactor * cofactor.transpose();

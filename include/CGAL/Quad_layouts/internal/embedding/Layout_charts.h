@@ -27,21 +27,22 @@ inline Chart_change rotation_about(const Point2& center, int quarter_turns)
   return {quarter_turns & 3, center - Chart_change::turned(center, quarter_turns)};
 }
 
-// The flat structure that a layout gives to the T-mesh: one chart per patch, in which side 0 begins at the origin
-// and runs along +x, and an integer change of chart across every arc.
+// The flat structure that a layout gives to the T-mesh: one chart per patch, in which side 0 begins
+// at the origin and runs along +x, and an integer change of chart across every arc.
 //
-// At first every singularity is a cone of its own. The cones of a merged cluster are then gathered in its
-// anchor, along the tree by which the members are connected: a cut along the connection from a child to its
-// parent, with a rotation about the layout vertex O by the summed index of the child's subtree, takes the index away
-// from the child and gives it to the parent. A connection is either an arc of length zero or runs straight through a
-// patch of zero width. In the latter case the cut is pushed to the boundary of that patch, so that
-// it runs along whole arcs, too; the arcs and nodes that it separates from the patch are then seen through the
-// rotation ("attached" to the chart by it).
+// At first every singularity is a cone of its own. The cones of a merged cluster are then gathered
+// in its anchor, along the tree by which the members are connected: a cut along the connection from
+// a child to its parent, with a rotation about the layout vertex O by the summed index of the
+// child's subtree, takes the index away from the child and gives it to the parent. A connection is
+// either an arc of length zero or runs straight through a patch of zero width. In the latter case
+// the cut is pushed to the boundary of that patch, so that it runs along whole arcs, too; the arcs
+// and nodes that it separates from the patch are then seen through the rotation ("attached" to the
+// chart by it).
 class Layout_charts
 {
 public:
-  Layout_charts(const T_mesh& t_mesh, const Quad_layout& layout, const std::vector<int>& chord_length,
-                const std::vector<Index_transfer>& transfers)
+  Layout_charts(const T_mesh& t_mesh, const Quad_layout& layout,
+                const std::vector<int>& chord_length, const std::vector<Index_transfer>& transfers)
     : m_t_mesh(t_mesh), m_layout(layout), m_chord_length(chord_length)
   {
     lay_out_patches();
@@ -55,13 +56,15 @@ public:
     return m_attachment[h ^ 1].after(m_original_change[h]).after(m_attachment[h].inverse());
   }
 
-  // the quarter-turns in `across(h)` that are due to cuts, as a signed number (modulo 4 would lose it)
+  // the quarter-turns in `across(h)` that are due to cuts, as a signed number (modulo 4 would lose
+  // it)
   int cut_turns(int h) const { return m_cut_turns[h]; }
 
   // where the source of h is in the chart of the patch of h
   Point2 source_position(int h) const { return m_attachment[h](m_source_position[h]); }
 
-  // Whether going around node n, clockwise, changes the chart by a rotation about n that takes back `index` quarter-turns.
+  // Whether going around node n, clockwise, changes the chart by a rotation about n that takes back
+  // `index` quarter-turns.
   bool has_index(int n, int index) const
   {
     Chart_change loop;
@@ -117,18 +120,19 @@ private:
     for (int h = 0; h < nh; ++h) {
       const int turns = (m_direction[h ^ 1] + 2 - m_direction[h]) & 3;
       m_original_change[h] = {turns, position_along(h ^ 1, length(h)) -
-                                       Chart_change::turned(m_source_position[h], turns)};
+                                         Chart_change::turned(m_source_position[h], turns)};
     }
     m_attachment.resize(nh);
     m_cut_turns.assign(nh, 0);
   }
 
-  // The layout vertex is where the fibre or the arc is before any cut: cuts along arcs through it leave it in
-  // place, and the cuts of fibres above do not touch it.
+  // The layout vertex is where the fibre or the arc is before any cut: cuts along arcs through it
+  // leave it in place, and the cuts of fibres above do not touch it.
   void hand_on(const Index_transfer& transfer)
   {
     const Chart_change turn = rotation_about(
-      position_along(transfer.halfedge, length(transfer.halfedge, transfer.units)), -transfer.index);
+        position_along(transfer.halfedge, length(transfer.halfedge, transfer.units)),
+        -transfer.index);
     for (const int h : transfer.path) {
       m_attachment[h] = turn.after(m_attachment[h]);
       m_cut_turns[h] += transfer.index;
@@ -139,11 +143,12 @@ private:
   const T_mesh& m_t_mesh;
   const Quad_layout& m_layout;
   const std::vector<int>& m_chord_length;
-  std::vector<Point2> m_source_position;         // per halfedge, in the chart of its patch, before any cut
-  std::vector<int> m_direction;                  // per halfedge, in quarter-turns from +x
-  std::vector<Chart_change> m_original_change;   // per halfedge, before any cut
-  std::vector<Chart_change> m_attachment;        // per halfedge, from the original chart to the one after all cuts
-  std::vector<int> m_cut_turns;                  // per halfedge
+  std::vector<Point2> m_source_position; // per halfedge, in the chart of its patch, before any cut
+  std::vector<int> m_direction;          // per halfedge, in quarter-turns from +x
+  std::vector<Chart_change> m_original_change; // per halfedge, before any cut
+  std::vector<Chart_change>
+      m_attachment;             // per halfedge, from the original chart to the one after all cuts
+  std::vector<int> m_cut_turns; // per halfedge
 };
 
 } // namespace internal

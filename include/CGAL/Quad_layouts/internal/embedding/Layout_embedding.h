@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The roots of the clusters that must be held: those with an index, and one per component that has none with an index.
+// The roots of the clusters that must be held: those with an index, and one per component that has
+// none with an index.
 inline std::vector<Cone> choose_cones(const T_mesh& t_mesh, const Quad_layout& layout,
                                       const std::vector<Cluster_root>& roots)
 {
@@ -56,8 +57,8 @@ inline std::vector<Cone> choose_cones(const T_mesh& t_mesh, const Quad_layout& l
 }
 
 // Puts the flat structure of the layout on the triangles of the surface.
-inline Charted_mesh chart_surface(const Cross_field& field, const T_mesh& t_mesh, const Layout_charts& charts,
-                                  const std::vector<Cone>& cones)
+inline Charted_mesh chart_surface(const Cross_field& field, const T_mesh& t_mesh,
+                                  const Layout_charts& charts, const std::vector<Cone>& cones)
 {
   const Triangle_surface& surface = t_mesh.surface();
   const Surface_charts surface_charts(t_mesh, charts);
@@ -65,14 +66,16 @@ inline Charted_mesh chart_surface(const Cross_field& field, const T_mesh& t_mesh
   for (int h = 0; h < surface.number_of_halfedges(); ++h)
     mesh.transition[h] = surface_charts.across(h).chart;
   for (const Cone& c : cones)
-    surface.for_each_outgoing(c.vertex, [&](int h) { mesh.cone_position[h] = surface_charts.node_position(h); });
+    surface.for_each_outgoing(
+        c.vertex, [&](int h) { mesh.cone_position[h] = surface_charts.node_position(h); });
   const Target_directions target(field, t_mesh, charts, surface_charts);
   for (int f = 0; f < surface.number_of_faces(); ++f)
     mesh.direction[f] = surface.direction(f, target.angles()[f]);
   return mesh;
 }
 
-// Rounds coordinates to what transitions keep exactly, and tells what the corners have in the charts of their faces.
+// Rounds coordinates to what transitions keep exactly, and tells what the corners have in the
+// charts of their faces.
 inline Integer_grid_map to_integer_grid_map(const Charted_mesh& mesh, const Map& map,
                                             std::vector<int> chord_length)
 {
@@ -84,7 +87,8 @@ inline Integer_grid_map to_integer_grid_map(const Charted_mesh& mesh, const Map&
   for (const Map::Face& f : map.faces)
     for (int k = 0; k < 3; ++k) {
       const Point2& x = map.coordinates[f.vertex[k]];
-      result.corner_coordinates.push_back(f.chart[k](Point2(std::round(x.x() * unit), std::round(x.y() * unit)) / unit));
+      result.corner_coordinates.push_back(
+          f.chart[k](Point2(std::round(x.x() * unit), std::round(x.y() * unit)) / unit));
     }
   return result;
 }
@@ -138,14 +142,16 @@ private:
   }
 
   // The roots of the clusters must have the whole index of their clusters, all other nodes none.
-  void check_indices(const T_mesh& t_mesh, const Merge_trees& trees, const Layout_charts& charts) const
+  void check_indices(const T_mesh& t_mesh, const Merge_trees& trees,
+                     const Layout_charts& charts) const
   {
     std::vector<int> index(t_mesh.number_of_vertices(), 0);
     for (const Cluster_root& r : trees.roots())
       index[r.node] = m_layout.clusters[r.cluster].index;
     for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
       if (!charts.has_index(n, index[n]))
-        throw Stage_failure("embed: the index of T-mesh node " + std::to_string(n) + " could not be gathered");
+        throw Stage_failure("embed: the index of T-mesh node " + std::to_string(n) +
+                            " could not be gathered");
   }
 
   std::vector<Anchor_search::Cone_place> cone_places() const

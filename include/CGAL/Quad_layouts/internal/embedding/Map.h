@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A map of triangles to the plane, by charts: the unknowns are the coordinates of each vertex in a chart of
-// its own; `chart` of a corner leads from there to the chart of its face.
+// A map of triangles to the plane, by charts: the unknowns are the coordinates of each vertex in a
+// chart of its own; `chart` of a corner leads from there to the chart of its face.
 struct Map
 {
   struct Face
@@ -36,20 +36,24 @@ struct Map
     bool has(int v) const { return vertex[0] == v || vertex[1] == v || vertex[2] == v; }
   };
 
-  std::vector<Point> points;              // per vertex, on the surface, in units of the edges of the quad mesh
+  std::vector<Point> points; // per vertex, on the surface, in units of the edges of the quad mesh
   std::vector<Face> faces;
-  std::vector<Point2> coordinates;        // per vertex, in its own chart
-  std::vector<Point> direction;           // per vertex, where +x of its chart should point
+  std::vector<Point2> coordinates; // per vertex, in its own chart
+  std::vector<Point> direction;    // per vertex, where +x of its chart should point
 
   Point2 corner(const Face& f, int k) const { return f.chart[k](coordinates[f.vertex[k]]); }
 
-  std::array<Point2, 3> corners(const Face& f) const { return {corner(f, 0), corner(f, 1), corner(f, 2)}; }
+  std::array<Point2, 3> corners(const Face& f) const
+  {
+    return {corner(f, 0), corner(f, 1), corner(f, 2)};
+  }
 };
 
 // The shape of a triangle on the surface, as needed to measure how a map distorts it.
 struct Rest_shape
 {
-  Eigen::Matrix2d inverse;   // of the matrix of its edges from corner 0, in a frame with x along its first edge
+  Eigen::Matrix2d
+      inverse; // of the matrix of its edges from corner 0, in a frame with x along its first edge
   double area;
 
   Rest_shape(const Point& p, const Point& q, const Point& r)
@@ -75,8 +79,8 @@ inline Rest_shape rest_shape(const Map& map, const Map::Face& f)
   return Rest_shape(map.points[f.vertex[0]], map.points[f.vertex[1]], map.points[f.vertex[2]]);
 }
 
-// Lists the charts of the corners of a charted mesh: the chart of a vertex is that of one of its faces; about a cone
-// the vertex is at the origin of its own chart.
+// Lists the charts of the corners of a charted mesh: the chart of a vertex is that of one of its
+// faces; about a cone the vertex is at the origin of its own chart.
 inline Map make_map(const Charted_mesh& mesh, const std::vector<char>& is_cone, double unit)
 {
   Map map;
@@ -92,8 +96,8 @@ inline Map make_map(const Charted_mesh& mesh, const std::vector<char>& is_cone, 
       if (is_cone[v])
         chart.translation = mesh.cone_position[h];
       map.faces[h / 3].chart[h % 3] = chart;
-      map.direction[v] += Eigen::AngleAxisd(chart.quarter_turns * right_angle,
-                                            mesh.normal(h / 3)) * mesh.direction[h / 3];
+      map.direction[v] += Eigen::AngleAxisd(chart.quarter_turns * right_angle, mesh.normal(h / 3)) *
+                          mesh.direction[h / 3];
       chart = mesh.transition[Charted_mesh::prev(h)].after(chart);
     }
     CGAL_assertion(is_cone[v] || (chart.quarter_turns == 0 && chart.translation.isZero(0)));

@@ -60,8 +60,9 @@ public:
     return sum;
   }
 
-  // solves for the minimum of the energy's quadratic model and goes there, or less far if the energy would not fall;
-  // returns the energy that is reached, `before` (the present one) if no step helps
+  // solves for the minimum of the energy's quadratic model and goes there, or less far if the
+  // energy would not fall; returns the energy that is reached, `before` (the present one) if no
+  // step helps
   template <class Energy>
   double step(const Energy& energy, double before)
   {
@@ -99,8 +100,9 @@ private:
     m_hessian.setFromTriplets(m_entries.begin(), m_entries.end());
   }
 
-  // The derivatives by the Jacobian turn into derivatives by the three corners, each turned into the chart of its
-  // vertex: a corner contributes to J its coordinates times a row vector, its weight.
+  // The derivatives by the Jacobian turn into derivatives by the three corners, each turned into
+  // the chart of its vertex: a corner contributes to J its coordinates times a row vector, its
+  // weight.
   template <class Energy>
   void add_face(std::size_t f, const Energy& energy)
   {
@@ -109,19 +111,18 @@ private:
     Eigen::Matrix4d hessian;
     energy.derivatives(f, jacobian(f), gradient, hessian);
     const Eigen::Matrix2d& b = m_rest[f].inverse;
-    const std::array<Point2, 3> weight{Point2(-b.colwise().sum().transpose()), Point2(b.row(0).transpose()),
-                                       Point2(b.row(1).transpose())};
+    const std::array<Point2, 3> weight{Point2(-b.colwise().sum().transpose()),
+                                       Point2(b.row(0).transpose()), Point2(b.row(1).transpose())};
     for (int k = 0; k < 3; ++k) {
       const int row = m_unknown[face.vertex[k]];
       if (row < 0)
         continue;
       const Point2 g = weight[k].x() * gradient.head<2>() + weight[k].y() * gradient.tail<2>();
-      m_gradient.segment<2>(2 * row) +=
-        m_rest[f].area * Chart_change::turned(g, 4 - face.chart[k].quarter_turns);
+      m_gradient.segment<2>(2 * row) += m_rest[f].area *
+                                        Chart_change::turned(g, 4 - face.chart[k].quarter_turns);
       for (int l = 0; l < 3; ++l)
         if (const int column = m_unknown[face.vertex[l]]; column >= 0 && column <= row)
-          add_block(2 * row, 2 * column,
-                    m_rest[f].area * block(hessian, weight[k], weight[l]),
+          add_block(2 * row, 2 * column, m_rest[f].area * block(hessian, weight[k], weight[l]),
                     face.chart[k].quarter_turns, face.chart[l].quarter_turns);
     }
   }
@@ -135,7 +136,8 @@ private:
   static Eigen::Matrix2d rotation(int quarter_turns)
   {
     Eigen::Matrix2d r;
-    r << Chart_change::turned(Point2(1, 0), quarter_turns), Chart_change::turned(Point2(0, 1), quarter_turns);
+    r << Chart_change::turned(Point2(1, 0), quarter_turns),
+        Chart_change::turned(Point2(0, 1), quarter_turns);
     return r;
   }
 
@@ -155,11 +157,11 @@ private:
   }
 
   Map& m_map;
-  std::vector<int> m_unknown;           // per vertex, -1 if fixed
+  std::vector<int> m_unknown; // per vertex, -1 if fixed
   int m_number_of_unknowns = 0;
   std::vector<Rest_shape> m_rest;
   Eigen::VectorXd m_gradient;
-  Eigen::SparseMatrix<double> m_hessian;   // its lower half
+  Eigen::SparseMatrix<double> m_hessian; // its lower half
   std::vector<Eigen::Triplet<double>> m_entries;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
   bool m_is_analyzed = false;

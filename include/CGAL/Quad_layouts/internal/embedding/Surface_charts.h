@@ -18,11 +18,13 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The flat structure of a layout, carried over from the patches of the T-mesh to the triangles of the surface.
+// The flat structure of a layout, carried over from the patches of the T-mesh to the triangles of
+// the surface.
 //
-// The chart of a face is that of the T-mesh patch in which its first halfedge begins. (At a node, that is the
-// patch into which the halfedge leaves it.) Walking along the boundary of the face changes the patch at every
-// crossing with an arc, and in a corner at every arc that leaves the node there.
+// The chart of a face is that of the T-mesh patch in which its first halfedge begins. (At a node,
+// that is the patch into which the halfedge leaves it.) Walking along the boundary of the face
+// changes the patch at every crossing with an arc, and in a corner at every arc that leaves the
+// node there.
 class Surface_charts
 {
 public:
@@ -105,7 +107,7 @@ private:
 
   const T_mesh& m_t_mesh;
   const Layout_charts& m_charts;
-  std::vector<Change> m_to_begin;     // per halfedge
+  std::vector<Change> m_to_begin; // per halfedge
 };
 
 } // namespace internal

@@ -25,11 +25,12 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Computes where +x of the chart of each face should point: a cross field for the singularities of the layout.
+// Computes where +x of the chart of each face should point: a cross field for the singularities of
+// the layout.
 //
-// Without merged singularities it is a direction of the given field. The cuts that gather the cones of a
-// cluster require the field to turn by whole quarter-turns across them. These turns are spread over the surface as evenly as
-// possible: a harmonic correction of the given field.
+// Without merged singularities it is a direction of the given field. The cuts that gather the cones
+// of a cluster require the field to turn by whole quarter-turns across them. These turns are spread
+// over the surface as evenly as possible: a harmonic correction of the given field.
 class Target_directions
 {
 public:
@@ -54,8 +55,9 @@ private:
     return (c.chart.quarter_turns - c.cut_turns) & 3;
   }
 
-  // finds the direction of the field that is +x in each face: by following matchings and changes of chart
-  // through each component, up to a constant, which the directions of the arcs at the nodes tell
+  // finds the direction of the field that is +x in each face: by following matchings and changes of
+  // chart through each component, up to a constant, which the directions of the arcs at the nodes
+  // tell
   void comb()
   {
     m_direction.assign(m_surface.number_of_faces(), -1);
@@ -77,7 +79,8 @@ private:
       for (int h = 3 * component[i]; h < 3 * component[i] + 3; ++h) {
         const int g = Triangle_surface::face(m_surface.opposite(h));
         const int direction = (m_direction[component[i]] + m_field.matching(h) -
-                               turns_without_cuts(m_surface_charts.across(h))) & 3;
+                               turns_without_cuts(m_surface_charts.across(h))) &
+                              3;
         CGAL_assertion(m_direction[g] < 0 || m_direction[g] == direction);
         if (m_direction[g] < 0) {
           m_direction[g] = direction;
@@ -87,8 +90,8 @@ private:
     return component;
   }
 
-  // An arc leaves a node somewhere inside a corner: take the middle, or rather the right place in a row of
-  // arcs a quarter-turn apart about the middle. All arcs vote.
+  // An arc leaves a node somewhere inside a corner: take the middle, or rather the right place in a
+  // row of arcs a quarter-turn apart about the middle. All arcs vote.
   int best_constant(const std::vector<int>& component) const
   {
     std::array<double, 4> vote{};
@@ -102,7 +105,8 @@ private:
         const int in_chart = m_charts.direction(T_mesh::opposite(arcs.front())) + 2 -
                              turns_without_cuts(m_surface_charts.to_begin(h));
         for (int c = 0; c < 4; ++c)
-          vote[c] += std::cos(m_field.angle(f) + (m_direction[f] + in_chart + c) * right_angle - expected);
+          vote[c] += std::cos(m_field.angle(f) + (m_direction[f] + in_chart + c) * right_angle -
+                              expected);
       }
     return int(std::max_element(vote.begin(), vote.end()) - vote.begin());
   }
@@ -110,11 +114,13 @@ private:
   bool is_node(int v) const
   {
     bool found = false;
-    m_surface.for_each_outgoing(v, [&](int h) { found = found || !m_t_mesh.corner_arcs[h].empty(); });
+    m_surface.for_each_outgoing(v,
+                                [&](int h) { found = found || !m_t_mesh.corner_arcs[h].empty(); });
     return found;
   }
 
-  // Solves for an angle per vertex that is not a node: the correction in the chart of the patch around it.
+  // Solves for an angle per vertex that is not a node: the correction in the chart of the patch
+  // around it.
   void spread_cut_turns()
   {
     const int n = m_surface.number_of_vertices();
@@ -123,15 +129,16 @@ private:
     std::vector<char> node(n);
     for (int v = 0; v < n; ++v) {
       node[v] = is_node(v);
-      entries.emplace_back(v, v, 1e-8);   // of all constants that may be added, choose that with mean zero
+      entries.emplace_back(v, v,
+                           1e-8); // of all constants that may be added, choose that with mean zero
     }
     bool any = false;
     for (int e = 0; e < m_surface.number_of_edges(); ++e) {
       const int h = m_surface.halfedge_of_edge(e), u = m_surface.source(h), v = m_surface.target(h);
       if (node[u] || node[v])
         continue;
-      for (const auto& [i, j, x] : {std::tuple(u, u, 1.), std::tuple(v, v, 1.), std::tuple(u, v, -1.),
-                                   std::tuple(v, u, -1.)})
+      for (const auto& [i, j, x] : {std::tuple(u, u, 1.), std::tuple(v, v, 1.),
+                                    std::tuple(u, v, -1.), std::tuple(v, u, -1.)})
         entries.emplace_back(i, j, x);
       const double turn = m_surface_charts.along(h).cut_turns * right_angle;
       rhs[u] += turn;
@@ -142,12 +149,14 @@ private:
       return;
     Eigen::SparseMatrix<double> laplacian(n, n);
     laplacian.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::VectorXd correction = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(rhs);
+    const Eigen::VectorXd correction =
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(rhs);
     for (int f = 0; f < m_surface.number_of_faces(); ++f)
       m_angle[f] += mean_correction(f, correction, node);
   }
 
-  double mean_correction(int f, const Eigen::VectorXd& correction, const std::vector<char>& node) const
+  double mean_correction(int f, const Eigen::VectorXd& correction,
+                         const std::vector<char>& node) const
   {
     double sum = 0;
     int count = 0;
@@ -164,8 +173,8 @@ private:
   const T_mesh& m_t_mesh;
   const Layout_charts& m_charts;
   const Surface_charts& m_surface_charts;
-  std::vector<int> m_direction;    // per face
-  std::vector<double> m_angle;     // per face
+  std::vector<int> m_direction; // per face
+  std::vector<double> m_angle;  // per face
 };
 
 } // namespace internal

@@ -28,14 +28,14 @@ public:
       const Map::Face& face = map.faces[f];
       const int k = face.corner_of(v), a = (k + 1) % 3, b = (k + 2) % 3;
       const Chart_change to_vertex = face.chart[k].inverse();
-      m_triangles.push_back({to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
-                             Rest_shape(map.points[v], map.points[face.vertex[a]],
-                                        map.points[face.vertex[b]])});
+      m_triangles.push_back(
+          {to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
+           Rest_shape(map.points[v], map.points[face.vertex[a]], map.points[face.vertex[b]])});
     }
   }
 
-  // Finds a point from which all opposite edges are seen from their left: the centroid of the kernel of the
-  // polygon that they form. Returns false if the kernel is empty.
+  // Finds a point from which all opposite edges are seen from their left: the centroid of the
+  // kernel of the polygon that they form. Returns false if the kernel is empty.
   bool find_center(Point2& center) const
   {
     std::vector<Point2> kernel = bounding_box();
@@ -66,7 +66,7 @@ public:
 private:
   struct Triangle
   {
-    Point2 a, b;        // the corners opposite the vertex
+    Point2 a, b; // the corners opposite the vertex
     Rest_shape rest;
     Eigen::Matrix2d jacobian(const Point2& x) const { return rest.jacobian({x, a, b}); }
   };
@@ -86,7 +86,8 @@ private:
     return sum;
   }
 
-  static void add_derivatives(const Triangle& t, const Point2& x, Point2& gradient, Eigen::Matrix2d& hessian)
+  static void add_derivatives(const Triangle& t, const Point2& x, Point2& gradient,
+                              Eigen::Matrix2d& hessian)
   {
     Eigen::Vector4d g;
     Eigen::Matrix4d h;
@@ -114,7 +115,8 @@ private:
   }
 
   // clips a convex polygon to the left of the line from a to b
-  static std::vector<Point2> left_part(const std::vector<Point2>& polygon, const Point2& a, const Point2& b)
+  static std::vector<Point2> left_part(const std::vector<Point2>& polygon, const Point2& a,
+                                       const Point2& b)
   {
     std::vector<Point2> result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

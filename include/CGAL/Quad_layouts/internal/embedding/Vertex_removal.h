@@ -27,14 +27,14 @@ struct Removal
 {
   int vertex, into;
   std::vector<int> faces;
-  std::vector<Map::Face> before;     // the faces' corners and charts
+  std::vector<Map::Face> before; // the faces' corners and charts
 };
 
 // Simplifies the triangles of a map by half-edge collapses, and takes the collapses back.
 //
-// Cones and the two rings around them stay: with the outer ring gone, a vertex could touch so much of the inner one that
-// no valid map exists. Charts are carried along exactly, so that the coordinates of any
-// vertex that is present keep their meaning on every level.
+// Cones and the two rings around them stay: with the outer ring gone, a vertex could touch so much
+// of the inner one that no valid map exists. Charts are carried along exactly, so that the
+// coordinates of any vertex that is present keep their meaning on every level.
 class Vertex_removal
 {
 public:
@@ -115,7 +115,10 @@ private:
   enum Kind : char { FREE, RING, CONE };
   using Entry = std::tuple<double, int, int>;
 
-  static void remove(std::vector<int>& list, int x) { list.erase(std::find(list.begin(), list.end(), x)); }
+  static void remove(std::vector<int>& list, int x)
+  {
+    list.erase(std::find(list.begin(), list.end(), x));
+  }
 
   static constexpr double forbidden = std::numeric_limits<double>::infinity();
 
@@ -156,7 +159,8 @@ private:
     if (m_kind[v] == CONE || !keeps_manifold(u, v))
       return forbidden;
     const double change = change_of_shape(u, v);
-    return change == forbidden ? forbidden : (m_map.points[u] - m_map.points[v]).norm() * (1 + change);
+    return change == forbidden ? forbidden
+                               : (m_map.points[u] - m_map.points[v]).norm() * (1 + change);
   }
 
   // checks the link condition, the valences, and that rings get no chords and are not joined
@@ -178,14 +182,16 @@ private:
     return common == 2 && valence >= 4 && valence <= (std::max<std::size_t>)(11, of_v.size());
   }
 
-  // how far the normals of the faces turn (0 to 1/2); forbidden if too far or the shapes suffer too much
+  // how far the normals of the faces turn (0 to 1/2); forbidden if too far or the shapes suffer too
+  // much
   double change_of_shape(int u, int v) const
   {
     double worst_before = 1, worst_after = 1, change = 0;
     for (const int f : m_star[u]) {
       const Map::Face& face = m_map.faces[f];
       const int k = face.corner_of(u);
-      const Point &a = m_map.points[face.vertex[(k + 1) % 3]], &b = m_map.points[face.vertex[(k + 2) % 3]];
+      const Point &a = m_map.points[face.vertex[(k + 1) % 3]],
+                  &b = m_map.points[face.vertex[(k + 2) % 3]];
       const Point before = normal(m_map.points[u], a, b);
       worst_before = (std::min)(worst_before, quality(m_map.points[u], a, b));
       if (face.has(v))
@@ -200,7 +206,10 @@ private:
     return worst_after < (std::min)(0.3, 0.9 * worst_before) ? forbidden : change;
   }
 
-  static Point normal(const Point& p, const Point& q, const Point& r) { return (q - p).cross(r - p); }
+  static Point normal(const Point& p, const Point& q, const Point& r)
+  {
+    return (q - p).cross(r - p);
+  }
 
   // 1 for an equilateral triangle, 0 for one without area
   static double quality(const Point& p, const Point& q, const Point& r)
@@ -239,13 +248,13 @@ private:
   }
 
   Map& m_map;
-  std::vector<std::vector<int>> m_star;      // per vertex its faces, in no order
-  std::vector<Kind> m_kind;                  // per vertex
-  std::vector<char> m_is_present;            // per face
+  std::vector<std::vector<int>> m_star; // per vertex its faces, in no order
+  std::vector<Kind> m_kind;             // per vertex
+  std::vector<char> m_is_present;       // per face
   int m_number_of_faces;
   double m_longest = 0;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
-  std::vector<char> m_is_queued;             // per vertex
+  std::vector<char> m_is_queued; // per vertex
   std::vector<Removal> m_removals;
 };
 

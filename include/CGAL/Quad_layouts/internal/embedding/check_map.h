@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// the number of quarter-turns that the triangles around v span in the map; the sum of their angles is a multiple of
-// one, so rounding it loses nothing
+// the number of quarter-turns that the triangles around v span in the map; the sum of their angles
+// is a multiple of one, so rounding it loses nothing
 inline int quarter_turns_around(const Integer_grid_map& map, int v)
 {
   double angle = 0;

@@ -27,10 +27,11 @@ inline void improve_vertex(Map& map, const Vertex_removal& levels, int v, int st
     neighbourhood.improve(map.coordinates[v]);
 }
 
-// Brings back all removed vertices, each at a place where no triangle gets inverted, and smooths the map around it.
+// Brings back all removed vertices, each at a place where no triangle gets inverted, and smooths
+// the map around it.
 //
-// Such a place exists: the vertex into which the removed one was collapsed sees the whole polygon. Returns whether
-// rounding let it be found for every vertex.
+// Such a place exists: the vertex into which the removed one was collapsed sees the whole polygon.
+// Returns whether rounding let it be found for every vertex.
 inline bool restore_all(Map& map, Vertex_removal& levels, const Monitor& monitor)
 {
   for (int i = 0; !levels.is_complete(); ++i) {
@@ -49,16 +50,17 @@ inline bool restore_all(Map& map, Vertex_removal& levels, const Monitor& monitor
 // How to look for a valid map.
 struct Solution_attempt
 {
-  int coarse_faces;     // number of triangles of the mesh to solve on
-  double haste;         // see `untangle`
+  int coarse_faces; // number of triangles of the mesh to solve on
+  double haste;     // see `untangle`
 };
 
-// Solves for a map on a simplified mesh of about `attempt.coarse_faces` triangles, then refines it. Returns whether it
-// succeeded; if not, the coordinates are of no use.
+// Solves for a map on a simplified mesh of about `attempt.coarse_faces` triangles, then refines it.
+// Returns whether it succeeded; if not, the coordinates are of no use.
 //
-// The difficulty of finding a valid map grows with the number of triangles, that of refining one does not.
-inline bool solve_coarse_to_fine(Map& map, const std::vector<Cone>& cones, const Solution_attempt& attempt,
-                                 const Monitor& monitor)
+// The difficulty of finding a valid map grows with the number of triangles, that of refining one
+// does not.
+inline bool solve_coarse_to_fine(Map& map, const std::vector<Cone>& cones,
+                                 const Solution_attempt& attempt, const Monitor& monitor)
 {
   constexpr int sweeps = 4;
   Vertex_removal levels(map, cones);

@@ -20,8 +20,8 @@ namespace internal {
 struct Cone
 {
   int vertex;
-  int index;          // in quarters; the map spans 4 - index quarter-turns around it
-  int cluster;        // of the layout
+  int index;   // in quarters; the map spans 4 - index quarter-turns around it
+  int cluster; // of the layout
 };
 
 // splits edges opposite to `v`, those of the widest corners first, until v has `degree` neighbours
@@ -36,16 +36,18 @@ inline void raise_degree(Charted_mesh& mesh, int v, int degree)
       const Point b = mesh.points[mesh.source(Charted_mesh::prev(h))] - mesh.points[v];
       return std::atan2(a.cross(b).norm(), a.dot(b));
     };
-    mesh.split(Charted_mesh::next(*std::max_element(spokes.begin(), spokes.end(), [&](int g, int h) {
-      return corner_angle(g) < corner_angle(h);
-    })));
+    mesh.split(
+        Charted_mesh::next(*std::max_element(spokes.begin(), spokes.end(), [&](int g, int h) {
+          return corner_angle(g) < corner_angle(h);
+        })));
   }
 }
 
-// Gives every cone two rings of vertices of its own: no vertex is then next to two cones, no edge joins the
-// inner rings of two cones, and there are at least two triangles per quarter-turn, so that none needs to be wide. Without
-// this a valid map need not exist on the mesh: two held vertices joined by an edge may belong to one layout point, and
-// three triangles cannot span five quarter-turns.
+// Gives every cone two rings of vertices of its own: no vertex is then next to two cones, no edge
+// joins the inner rings of two cones, and there are at least two triangles per quarter-turn, so
+// that none needs to be wide. Without this a valid map need not exist on the mesh: two held
+// vertices joined by an edge may belong to one layout point, and three triangles cannot span five
+// quarter-turns.
 inline void refine_around_cones(Charted_mesh& mesh, const std::vector<Cone>& cones)
 {
   std::vector<char> is_cone(mesh.points.size(), 0);

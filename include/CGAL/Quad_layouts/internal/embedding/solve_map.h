@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The energy of Bommes, Zimmer and Kobbelt (2009), |J - R|^2: it asks +x of each chart to point in its target direction,
-// at length one. Being quadratic, one Newton step from anywhere minimizes it.
+// The energy of Bommes, Zimmer and Kobbelt (2009), |J - R|^2: it asks +x of each chart to point in
+// its target direction, at length one. Being quadratic, one Newton step from anywhere minimizes it.
 class Alignment_energy
 {
 public:
@@ -29,7 +29,10 @@ public:
       m_target.push_back(Eigen::Rotation2Dd(-target_angle(map, f)).toRotationMatrix());
   }
 
-  double value(std::size_t f, const Eigen::Matrix2d& j) const { return (j - m_target[f]).squaredNorm(); }
+  double value(std::size_t f, const Eigen::Matrix2d& j) const
+  {
+    return (j - m_target[f]).squaredNorm();
+  }
 
   void derivatives(std::size_t f, const Eigen::Matrix2d& j, Eigen::Vector4d& gradient,
                    Eigen::Matrix4d& hessian) const
@@ -43,11 +46,15 @@ private:
   std::vector<Eigen::Matrix2d> m_target;
 };
 
-// The distortion of all triangles alike. Without regularization it is a barrier: infinite for inverted triangles.
+// The distortion of all triangles alike. Without regularization it is a barrier: infinite for
+// inverted triangles.
 class Distortion_energy
 {
 public:
-  explicit Distortion_energy(double epsilon = 0) : m_distortion(area_weight, epsilon), m_epsilon(epsilon) {}
+  explicit Distortion_energy(double epsilon = 0)
+    : m_distortion(area_weight, epsilon), m_epsilon(epsilon)
+  {
+  }
 
   static constexpr double area_weight = 0.25;
 
@@ -70,9 +77,10 @@ private:
   double m_epsilon;
 };
 
-// Makes all triangles positive by minimizing the regularized distortion for falling epsilon (Garanzha et al. 2021).
-// Several steps per epsilon are essential: with one, folded tubes lock. `haste`, between 0 and 1, is how much less of a chi
-// the worst triangle is allowed from one epsilon to the next. Returns whether it succeeded.
+// Makes all triangles positive by minimizing the regularized distortion for falling epsilon
+// (Garanzha et al. 2021). Several steps per epsilon are essential: with one, folded tubes lock.
+// `haste`, between 0 and 1, is how much less of a chi the worst triangle is allowed from one
+// epsilon to the next. Returns whether it succeeded.
 inline bool untangle(Newton& newton, double haste, const Monitor& monitor)
 {
   constexpr int max_steps = 300;
@@ -122,9 +130,10 @@ inline std::vector<std::vector<int>> stars(const Map& map)
   return result;
 }
 
-// Finds coordinates for all vertices such that no triangle is inverted and the angle sum is right everywhere, starting
-// from the target directions alone. Returns whether it succeeded.
-inline bool solve_map(Map& map, const std::vector<Cone>& cones, double haste, const Monitor& monitor)
+// Finds coordinates for all vertices such that no triangle is inverted and the angle sum is right
+// everywhere, starting from the target directions alone. Returns whether it succeeded.
+inline bool solve_map(Map& map, const std::vector<Cone>& cones, double haste,
+                      const Monitor& monitor)
 {
   const auto star = stars(map);
   std::vector<char> is_cone(map.points.size(), 0);

@@ -28,8 +28,8 @@ inline std::vector<double> lengths_to_cover(const T_mesh& t, const Quad_layout& 
 {
   std::vector<double> result(t.number_of_edges(), 0);
   for (const T_mesh::Trace& trace : t.traces) {
-    int last = -1;              // the last arc that has edges
-    double collapsed = 0;       // length since then
+    int last = -1;        // the last arc that has edges
+    double collapsed = 0; // length since then
     for (int a : trace.arcs) {
       if (layout.arc_halfedges[a].empty()) {
         collapsed += t.length(a);
@@ -47,7 +47,8 @@ inline std::vector<double> lengths_to_cover(const T_mesh& t, const Quad_layout& 
   return result;
 }
 
-// Scales lengths of chords such that the faces of the layout, as rectangles, have the area of the surface.
+// Scales lengths of chords such that the faces of the layout, as rectangles, have the area of the
+// surface.
 inline void scale_to_area(const Triangle_surface& surface, const Quad_layout& layout,
                           std::vector<double>& length)
 {
@@ -56,8 +57,8 @@ inline void scale_to_area(const Triangle_surface& surface, const Quad_layout& la
     wanted += surface.area(f);
   for (int f = 0; f < layout.number_of_faces(); ++f) {
     const int h = layout.halfedge_of(f);
-    present += length[layout.chord(Quad_layout::edge(h))]
-             * length[layout.chord(Quad_layout::edge(layout.next(h)))];
+    present += length[layout.chord(Quad_layout::edge(h))] *
+               length[layout.chord(Quad_layout::edge(layout.next(h)))];
   }
   for (double& l : length)
     l *= std::sqrt(wanted / present);
@@ -65,8 +66,8 @@ inline void scale_to_area(const Triangle_surface& surface, const Quad_layout& la
 
 // Fits a length to each chord, such that the edges of each arc together have the arc's length:
 // linear least squares, weakly drawn to equal lengths of the edges of one arc. Lengths that came
-// out below a quarter of what the chord's arcs have on average are raised to that. Finally all are scaled
-// such that the faces of the layout together have the area of the surface.
+// out below a quarter of what the chord's arcs have on average are raised to that. Finally all are
+// scaled such that the faces of the layout together have the area of the surface.
 inline std::vector<double> fit_chord_lengths(const T_mesh& t, const Quad_layout& layout)
 {
   constexpr double pull = 0.01, least = 0.25;

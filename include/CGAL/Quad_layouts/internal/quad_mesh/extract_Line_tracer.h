@@ -20,8 +20,8 @@ namespace internal {
 // A place in an integer-grid map and a direction there: 0 is +x, 1 is +y, 2 is -x, 3 is -y.
 struct Map_heading
 {
-  int face = -1;                      // of the surface; -1 if there is no such place
-  Integer_grid_map::Point_2 position = Integer_grid_map::Point_2::Zero();   // in the face's chart
+  int face = -1; // of the surface; -1 if there is no such place
+  Integer_grid_map::Point_2 position = Integer_grid_map::Point_2::Zero(); // in the face's chart
   int direction = 0;
 
   bool is_valid() const { return face >= 0; }
@@ -47,10 +47,7 @@ public:
   using Surface = Integer_grid_map::Surface;
   using Point_2 = Integer_grid_map::Point_2;
 
-  explicit Line_tracer(const Integer_grid_map& map)
-    : m_map(map)
-  {
-  }
+  explicit Line_tracer(const Integer_grid_map& map) : m_map(map) {}
 
   // the same heading seen from the face that the line runs into; unique, so that headings from
   // different faces can be compared. At a vertex it is the first one counter-clockwise from the
@@ -147,8 +144,8 @@ private:
   int exit(const Map_heading& line) const
   {
     for (int h = 3 * line.face; h < 3 * line.face + 3; ++h)
-      if (!is_left(m_map.coordinates(h), line)
-          && is_left(m_map.coordinates(Surface::next(h)), line))
+      if (!is_left(m_map.coordinates(h), line) &&
+          is_left(m_map.coordinates(Surface::next(h)), line))
         return h;
     return -1;
   }
@@ -180,7 +177,8 @@ private:
   }
 
   // turns counter-clockwise from the corner h until the line leaves through the edge opposite the
-  // vertex. A vertex of valence 1 has all four directions within four rounds, and a part of a fifth.
+  // vertex. A vertex of valence 1 has all four directions within four rounds, and a part of a
+  // fifth.
   Map_heading entered_at_vertex(Map_heading heading, int h) const
   {
     const int first = h;
@@ -198,7 +196,7 @@ private:
   Eigen::Vector3d crossing_point(int h, const Map_heading& line) const
   {
     const Surface& s = m_map.surface();
-    const int across = 1 - line.direction % 2;      // the coordinate that is constant on the line
+    const int across = 1 - line.direction % 2; // the coordinate that is constant on the line
     const double a = m_map.coordinates(h)[across], b = m_map.coordinates(Surface::next(h))[across];
     const double t = (line.position[across] - a) / (b - a);
     return (1 - t) * s.point(s.source(h)) + t * s.point(s.target(h));

@@ -59,8 +59,8 @@ public:
     return {chosen.point, chosen.triangle};
   }
 
-  // Returns the unit normal of the triangle nearest to p. If that is no single one, as they share an
-  // edge or vertex, the normal is the one that agrees least with `direction`.
+  // Returns the unit normal of the triangle nearest to p. If that is no single one, as they share
+  // an edge or vertex, the normal is the one that agrees least with `direction`.
   Vector nearest_normal(const Vector& p, const Vector& direction) const
   {
     const int nearest = m_tree.nearest(p).triangle;

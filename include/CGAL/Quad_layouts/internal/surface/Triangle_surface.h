@@ -28,19 +28,20 @@ using Point2 = Eigen::Vector2d;
 
 // The working copy of the input: an oriented, manifold triangle mesh in index arrays.
 //
-// Vertex v and face f are the v-th vertex and f-th face of the user's mesh. Face f owns the halfedges
-// 3f, 3f+1, 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its left. A halfedge
-// also stands for the corner of its face at its source. Border halfedges do not exist: the opposite of a
-// halfedge on the border is -1.
+// Vertex v and face f are the v-th vertex and f-th face of the user's mesh. Face f owns the
+// halfedges 3f, 3f+1, 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its
+// left. A halfedge also stands for the corner of its face at its source. Border halfedges do not
+// exist: the opposite of a halfedge on the border is -1.
 //
-// Each face has a frame: x along its halfedge 3f, y to the left of it. Angles in a face are in radians,
-// counter-clockwise, in this frame. All of it is intrinsic: it needs lengths, not normals.
+// Each face has a frame: x along its halfedge 3f, y to the left of it. Angles in a face are in
+// radians, counter-clockwise, in this frame. All of it is intrinsic: it needs lengths, not normals.
 class Triangle_surface
 {
 public:
   Triangle_surface() = default;
 
-  // takes faces whose directed edges are unique (checked) and whose vertices are manifold (not checked)
+  // takes faces whose directed edges are unique (checked) and whose vertices are manifold (not
+  // checked)
   Triangle_surface(std::vector<Point> points, const std::vector<std::array<int, 3>>& triangles)
     : m_points(std::move(points))
   {
@@ -62,8 +63,8 @@ public:
   int target(int h) const { return m_source[next(h)]; }
   int opposite(int h) const { return m_opposite[h]; }
 
-  // an outgoing halfedge of v, -1 if v is isolated; at a border vertex the most clockwise one, so that
-  // turning counter-clockwise from it visits the whole fan
+  // an outgoing halfedge of v, -1 if v is isolated; at a border vertex the most clockwise one, so
+  // that turning counter-clockwise from it visits the whole fan
   int halfedge(int v) const { return m_vertex_halfedge[v]; }
 
   // the next outgoing halfedge counter-clockwise about source(h), -1 past the border
@@ -152,14 +153,17 @@ public:
     return (high - low).norm();
   }
 
-  bool is_closed() const { return std::find(m_opposite.begin(), m_opposite.end(), -1) == m_opposite.end(); }
+  bool is_closed() const
+  {
+    return std::find(m_opposite.begin(), m_opposite.end(), -1) == m_opposite.end();
+  }
 
 private:
   // finds opposites by sorting the directed edges by their end points
   void connect()
   {
     const int nh = number_of_halfedges(), nv = number_of_vertices();
-    std::vector<std::vector<int>> unmatched(nv);      // outgoing halfedges by their smaller end
+    std::vector<std::vector<int>> unmatched(nv); // outgoing halfedges by their smaller end
     m_opposite.assign(nh, -1);
     for (int h = 0; h < nh; ++h) {
       auto& waiting = unmatched[(std::min)(source(h), target(h))];

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE quad_remesh
+#include <boost/test/unit_test.hpp>
+
+#include "generated_meshes.h"
+
+#include <CGAL/Quad_layouts/measure_quad_mesh.h>
+#include <CGAL/Quad_layouts/quad_remesh.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <functional>
+
+namespace QL = CGAL::Quad_layouts;
+using Polyhedron = CGAL::Polyhedron_3<generated::Kernel>;
+
+namespace {
+
+struct Impatient_visitor : QL::Default_visitor
+{
+  bool go_on() { return false; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(slab_with_two_holes)
+{
+  const auto mesh = generated::slab_with_holes(2, 4);
+  generated::Mesh layout, quads;
+  QL::quad_layout(mesh, layout);
+  QL::quad_remesh(mesh, quads);
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(quads));
+  const QL::Quad_mesh_measures m = QL::measure_quad_mesh(quads);
+  BOOST_TEST(m.inverted_quads == 0);
+  BOOST_TEST(m.euler_characteristic == -2);
+  BOOST_TEST(m.patches <= int(num_faces(layout)));
+  BOOST_TEST(m.msj_average > 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(polyhedron_in_and_out)
+{
+  Polyhedron mesh, quads;
+  CGAL::copy_face_graph(generated::cube(6), mesh);
+  QL::quad_remesh(mesh, quads, QL::parameters::maximum_deviation(20).maximum_displacement(1));
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(quads));
+  BOOST_TEST(QL::measure_quad_mesh(quads).patches == 6);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_left_where_it_fails)
+{
+  const auto mesh = generated::cube(3);
+  generated::Mesh quads;
+  Impatient_visitor visitor;
+  BOOST_CHECK_THROW(QL::quad_remesh(mesh, quads, QL::parameters::visitor(std::ref(visitor))),
+                    QL::Cancelled);
+  BOOST_CHECK_THROW(QL::quad_remesh(mesh, quads, QL::parameters::maximum_deviation(90)),
+                    QL::Invalid_parameter);
+  BOOST_CHECK_THROW(QL::quad_remesh(generated::Mesh(), quads), QL::Empty_mesh);
+  BOOST_TEST(num_faces(quads) == 0u);
+}
