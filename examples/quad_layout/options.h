@@ -28,7 +28,7 @@ struct Options
   double alpha = 15;         // degrees
   double displacement = 2;   // target edge lengths
   double edge_length = 0.01; // of the diagonal of the bounding box
-  double time_limit = 60;    // seconds
+  double time_limit = 30;    // seconds
   int min_valence = 3;
   int max_valence = 8;
   bool quiet = false;
@@ -51,7 +51,7 @@ inline const char* usage()
          "  --min-valence N        least valence of a vertex (3)\n"
          "  --max-valence N        greatest valence of a vertex (8)\n"
          "  --solver NAME          of the integer program: glpk (glpk)\n"
-         "  --time-limit S         for the integer program, in seconds (60)\n"
+         "  --time-limit S         for the integer program, in seconds (30)\n"
          "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
          "  --quiet                no progress on the standard error stream\n"
          "\n"
