@@ -43,10 +43,9 @@ public:
       m_cone_at[c.layout_vertex] = c.surface_vertex;
     for (const Cone_place& c : cones)
       if (!m_start[layout.halfedge_from(c.layout_vertex)].is_valid() && !anchor_component(c))
-        m_failed.push_back(c.layout_vertex);
-    if (m_failed.empty())
-      for (const Cone_place& c : cones)
-        add_anchors(c);
+        return;
+    for (const Cone_place& c : cones)
+      add_anchors(c);
   }
 
   // one per layout halfedge that begins at a cone; none if there is a component in which no
@@ -151,7 +150,6 @@ private:
   Line_tracer m_lines;
   std::vector<int> m_cone_at;       // per layout vertex its surface vertex, -1 if it is not a cone
   std::vector<Map_heading> m_start; // per layout halfedge
-  std::vector<int> m_failed;
   std::vector<Integer_grid_map::Anchor> m_anchors;
 };
 

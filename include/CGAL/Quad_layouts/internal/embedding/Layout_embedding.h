@@ -112,21 +112,27 @@ public:
     for (const Cone& c : m_cones)
       is_cone[c.vertex] = 1;
     const Map start = make_map(m_mesh, is_cone, m_unit);
-    Integer_grid_map best;
+    std::string reasons;
     constexpr Solution_attempt attempts[] = {{4000, 0.5}, {7000, 0.3}, {3000, 0.2}, {12000, 0.2}};
     for (const auto& [size, haste] : attempts) {
+      const int coarse_faces = size + 40 * int(m_cones.size());
       Map map = start;
-      if (!solve_coarse_to_fine(map, m_cones, {size + 40 * int(m_cones.size()), haste}, m_monitor))
+      if (!solve_coarse_to_fine(map, m_cones, {coarse_faces, haste}, m_monitor)) {
+        reasons += "; on " + std::to_string(coarse_faces) + " triangles: inverted ones remain";
         continue;
-      best = to_integer_grid_map(m_mesh, map, m_chord_length);
-      check(best, m_cones);
-      if (best.inverted > 0 || best.wrong_winding > 0)
-        continue;
-      best.anchors = Anchor_search(best, m_layout, cone_places()).anchors();
-      if (!best.anchors.empty())
-        return best;
+      }
+      Integer_grid_map result = to_integer_grid_map(m_mesh, map, m_chord_length);
+      check(result, m_cones);
+      if (result.inverted == 0 && result.wrong_winding == 0)
+        result.anchors = Anchor_search(result, m_layout, cone_places()).anchors();
+      if (!result.anchors.empty())
+        return result;
+      reasons += "; on " + std::to_string(coarse_faces) +
+                 " triangles: " + std::to_string(result.inverted) + " inverted, " +
+                 std::to_string(result.wrong_winding) +
+                 " wrong angle sums, or misplaced layout edges";
     }
-    throw Stage_failure("embed: no valid map onto the layout was found");
+    throw Stage_failure("embed: no valid map onto the layout was found" + reasons);
   }
 
 private:
