@@ -58,7 +58,8 @@ public:
   /// \name Limits
   /// @{
   void set_time_limit(double seconds) { m_limits.seconds = seconds; }
-  /// bounds the nodes of the search tree: unlike the time limit, with the same result on every run.
+  /// bounds the nodes of the search tree, where 100 iterations of the simplex method count as much
+  /// as a node: unlike the time limit, with the same result on every run.
   void set_node_limit(int nodes) { m_limits.nodes = nodes; }
   void set_relative_gap(double gap) { m_limits.relative_gap = gap; }
   /// sets what is asked now and then if the search is to end; an exception thrown by it leaves

@@ -55,8 +55,11 @@ Beyond the program of the paper every result is a valid layout of the same surfa
 changes neither topology nor orientation, and no merged vertex has an index out of range unnoticed.
 
 Programs with up to about a hundred singularities are mostly solved to the relative gap in less than
-a second. The result does not depend on the speed of the machine as long as no part of the search
-reaches its share of the time limit.
+a second. Where thousands of pairs of singularities are close, the solver sees only the index rows
+that some solution has violated; the bound holds without the others, and each solution is checked
+against all. The parts of the search end by limits of work, so that the result does not depend on
+the speed of the machine, unless a part reaches its share of the time limit or the whole search the
+limit itself, which is usual above about two hundred singularities.
 
 @tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
         `GLPK_mixed_integer_program_traits<double>`

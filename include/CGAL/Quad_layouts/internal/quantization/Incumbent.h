@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/internal/quantization/Loop_sum.h>
 #include <CGAL/Quad_layouts/internal/quantization/Validity.h>
 #include <CGAL/Quad_layouts/internal/quantization/dual_loops.h>
+#include <CGAL/Quad_layouts/internal/quantization/lazy_index_rows.h>
 
 #include <limits>
 #include <utility>
@@ -52,10 +53,14 @@ public:
     return accept(sum.values());
   }
 
-  // takes over `x`, or a repaired `x`, if it is valid and better; says if so
+  // takes over `x`, or a repaired `x`, if it is valid and better; says if so. Solvers get to see
+  // the lazy index rows that `x` violates.
   bool improve_by(const std::vector<int>& x)
   {
-    if (!Program_evaluation(m_program, x).is_consistent() || !is_better(x))
+    if (!Program_evaluation(m_program, x).is_consistent())
+      return false;
+    const bool was_unaware = demand_index_rows(m_program, x) > 0;
+    if (!was_unaware && !is_better(x))
       return false;
     if (accept(x))
       return true;

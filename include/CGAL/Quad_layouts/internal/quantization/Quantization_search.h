@@ -12,13 +12,14 @@
 #include <CGAL/Quad_layouts/internal/quantization/Incumbent.h>
 #include <CGAL/Quad_layouts/internal/quantization/Neighbourhoods.h>
 #include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
+#include <CGAL/Quad_layouts/internal/quantization/lazy_index_rows.h>
 #include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
 
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <random>
 #include <utility>
 #include <vector>
@@ -44,7 +45,9 @@ struct Quantization_options
 // - branch and cut in ever larger neighbourhoods.
 //
 // The effort of the solver is bounded by nodes of its search tree, so that results can be repeated;
-// time limits are the last resort. Bounds are those of the program with all cuts.
+// time limits are the last resort. Of many index rows solvers see those that some solution has
+// violated. What solvers do not see can only lower a bound, and each solution is checked against
+// all rows.
 template <class Traits>
 class Quantization_search
 {
@@ -63,6 +66,7 @@ public:
   {
     if (m_incumbent.start()) {
       report();
+      make_index_rows_lazy_if_many(m_program);
       solve_relaxation();
       search_whole_program();
       if (!is_done() && !m_relaxation.empty())
@@ -112,22 +116,29 @@ private:
     return result;
   }
 
-  // solves again as long as the solution is not valid and new cuts forbid it
+  // The time of a node is about quadratic in the size of the program; whole programs that are far
+  // too large to be solved get little of it.
+  int nodes_of_whole_program() const
+  {
+    const double n = m_program.number_of_variables();
+    return int((std::max)(1., (std::min)(200., 4e7 / (n * n))));
+  }
+
+  // solves again as long as the solution violates what the solver did not see
   void search_whole_program()
   {
-    constexpr int nodes = 200;
     const Box everything(m_program.number_of_variables());
-    std::size_t cuts;
+    int rows;
     do {
-      cuts = m_program.cuts.size();
+      rows = m_program.number_of_visible_rows();
       bool improved;
       const Box_solution solution = search(
-          everything, effort(nodes, 0.06, m_options.relative_gap / 2), improved);
+          everything, effort(nodes_of_whole_program(), 0.2, m_options.relative_gap / 2), improved);
       m_bound = (std::max)(m_bound, solution.bound);
       report();
       if (solution.status != Box_solution::OPTIMAL)
         break;
-    } while (m_program.cuts.size() > cuts && !is_done());
+    } while (m_program.number_of_visible_rows() > rows && !is_done());
     m_program.covers_are_soft = false;
   }
 
@@ -135,14 +146,18 @@ private:
   // soft program.
   void solve_relaxation()
   {
-    constexpr int unlimited = (std::numeric_limits<int>::max)();
     m_program.covers_are_soft = m_incumbent.objective() > m_program.penalty;
     const Box everything(m_program.number_of_variables());
-    Box_solution solution = solve_in_box<Traits>(m_program, everything, {},
-                                                 effort(unlimited, 0.3, 0), Domain::REALS);
-    m_monitor.check("quantize");
-    m_relaxation = std::move(solution.x);
-    m_bound = (std::max)(m_bound, solution.bound);
+    const int nodes = 20 + m_program.number_of_variables() / 50;
+    do {
+      Box_solution solution = solve_in_box<Traits>(m_program, everything, {},
+                                                   effort(nodes, 0.2, 0), Domain::REALS);
+      m_monitor.check("quantize");
+      if (solution.x.empty())
+        return;
+      m_relaxation = std::move(solution.x);
+      m_bound = (std::max)(m_bound, solution.bound);
+    } while (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0);
   }
 
   void search_support()

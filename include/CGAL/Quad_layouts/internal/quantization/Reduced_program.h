@@ -46,6 +46,7 @@ struct Reduced_program
   {
     int base, low, high;
     std::vector<std::pair<int, int>> terms; // indicator, coefficient
+    bool is_lazy = false;                   // left to the check of solutions until one violates it
   };
   // some variable of the set is positive or some of the indicators is 1
   struct Cut
@@ -68,6 +69,13 @@ struct Reduced_program
   double penalty = 0;
 
   int number_of_variables() const { return int(cost.size()); }
+
+  // grows when solvers get to see rows that they did not see before
+  int number_of_visible_rows() const
+  {
+    return int(cuts.size()) + int(std::count_if(index_rows.begin(), index_rows.end(),
+                                                [](const auto& row) { return !row.is_lazy; }));
+  }
 
   std::vector<int> arc_lengths(const std::vector<int>& x) const
   {
@@ -139,7 +147,8 @@ inline void add_index_rows(const T_mesh& t_mesh, const Quantization_program& pro
 {
   std::vector<Reduced_program::Index_row> row(t_mesh.number_of_vertices());
   for (int n : program.singularities)
-    row[n] = {t_mesh.index(n), program.index_range[n].first, program.index_range[n].second, {}};
+    row[n] = {
+        t_mesh.index(n), program.index_range[n].first, program.index_range[n].second, {}, false};
   const Subset_query covers(result.covers, result.number_of_variables());
   for (const Close_pair& pair : program.pairs) {
     const auto path = result.set_of(pair.path);

@@ -48,6 +48,10 @@ inline bool run_guarded_from_glpk(void (*work)(void*), void* data)
   return true;
 }
 
+// How many iterations of the simplex method count as one node. Nodes of large programs can take
+// thousands; that counts as work, too.
+constexpr int iterations_per_node = 100;
+
 // One search of GLPK: the program in, the solution out. The relaxation is solved first and alone,
 // because `glp_intopt` would not mind the time limit there.
 class Glpk_search
@@ -159,6 +163,12 @@ private:
       glp_set_obj_coef(problem, term.first + 1, term.second);
   }
 
+  int iteration_limit() const
+  {
+    return limits.nodes < INT_MAX / iterations_per_node ? limits.nodes * iterations_per_node
+                                                        : INT_MAX;
+  }
+
   int milliseconds_left() const
   {
     if (m_end == (Clock::time_point::max)())
@@ -176,6 +186,7 @@ private:
     parameters.msg_lev = GLP_MSG_OFF;
     parameters.presolve = GLP_ON;
     parameters.tm_lim = milliseconds_left();
+    parameters.it_lim = iteration_limit();
     const int code = glp_simplex(problem, &parameters);
     if (code == GLP_ENOPFS || (code == 0 && glp_get_status(problem) == GLP_NOFEAS)) {
       outcome = Outcome::COMPLETE;
@@ -186,7 +197,7 @@ private:
       return true;
     }
     outcome = code == GLP_ETMLIM || code == GLP_EITLIM ? Outcome::LIMIT : Outcome::ERROR;
-    m_message = outcome == Outcome::LIMIT ? "time limit" : "the relaxation could not be solved";
+    m_message = outcome == Outcome::LIMIT ? "limit" : "the relaxation could not be solved";
     return false;
   }
 
@@ -245,7 +256,9 @@ private:
     }
     int total = 0;
     glp_ios_tree_size(tree, nullptr, nullptr, &total);
-    if (total > limits.nodes || Clock::now() > m_end || (stop && stop()))
+    const int iterations = glp_get_it_cnt(glp_ios_get_prob(tree));
+    if (total > limits.nodes || iterations > iteration_limit() || Clock::now() > m_end ||
+        (stop && stop()))
       glp_ios_terminate(tree);
   }
 

@@ -84,7 +84,8 @@ public:
     for (const auto& cover : program.covers)
       add_cover({cover, {}}, program.covers_are_soft);
     for (const auto& row : program.index_rows)
-      add_index_row(row);
+      if (!row.is_lazy)
+        add_index_row(row);
     for (const auto& cut : program.cuts)
       add_cover(cut, false);
     m_objective->set_offset(m_fixed_cost);
