@@ -113,11 +113,14 @@ public:
       is_cone[c.vertex] = 1;
     const Map start = make_map(m_mesh, is_cone, m_unit);
     std::string reasons;
-    constexpr Solution_attempt attempts[] = {{4000, 0.5}, {7000, 0.3}, {3000, 0.2}, {12000, 0.2}};
-    for (const auto& [size, haste] : attempts) {
-      const int coarse_faces = size + 40 * int(m_cones.size());
+    constexpr Solution_attempt attempts[] = {
+        {4000, 0.5, false}, {4000, 0.5, true},  {7000, 0.3, false}, {7000, 0.3, true},
+        {3000, 0.2, false}, {12000, 0.2, true}, {12000, 0.2, false}};
+    for (Solution_attempt attempt : attempts) {
+      attempt.coarse_faces += 40 * int(m_cones.size());
+      const int coarse_faces = attempt.coarse_faces;
       Map map = start;
-      if (!solve_coarse_to_fine(map, m_cones, {coarse_faces, haste}, m_monitor)) {
+      if (!solve_coarse_to_fine(map, m_cones, attempt, m_monitor)) {
         reasons += "; on " + std::to_string(coarse_faces) + " triangles: inverted ones remain";
         continue;
       }

@@ -13,6 +13,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -36,7 +37,17 @@ public:
       m_rest.push_back(rest_shape(map, f));
   }
 
-  const Rest_shape& rest(std::size_t f) const { return m_rest[f]; }
+  // From now on, measures the triangles as if they all had the same area.
+  void even_out()
+  {
+    double mean = 0;
+    for (const Rest_shape& r : m_rest)
+      mean += r.area / double(m_rest.size());
+    for (Rest_shape& r : m_rest) {
+      r.inverse *= std::sqrt(r.area / mean);
+      r.area = mean;
+    }
+  }
 
   Eigen::Matrix2d jacobian(std::size_t f) const
   {

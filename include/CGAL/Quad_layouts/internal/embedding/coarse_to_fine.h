@@ -47,13 +47,6 @@ inline bool restore_all(Map& map, Vertex_removal& levels, const Monitor& monitor
   return true;
 }
 
-// How to look for a valid map.
-struct Solution_attempt
-{
-  int coarse_faces; // number of triangles of the mesh to solve on
-  double haste;     // see `untangle`
-};
-
 // Solves for a map on a simplified mesh of about `attempt.coarse_faces` triangles, then refines it.
 // Returns whether it succeeded; if not, the coordinates are of no use.
 //
@@ -66,7 +59,7 @@ inline bool solve_coarse_to_fine(Map& map, const std::vector<Cone>& cones,
   Vertex_removal levels(map, cones);
   levels.simplify(attempt.coarse_faces);
   Map coarse = levels.coarse_map();
-  if (!solve_map(coarse, cones, attempt.haste, monitor))
+  if (!solve_map(coarse, cones, attempt, monitor))
     return false;
   map.coordinates = std::move(coarse.coordinates);
   if (!restore_all(map, levels, monitor))

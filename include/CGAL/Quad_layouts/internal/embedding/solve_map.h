@@ -80,12 +80,13 @@ private:
 // Makes all triangles positive by minimizing the regularized distortion for falling epsilon
 // (Garanzha et al. 2021). Several steps per epsilon are essential: with one, folded tubes lock.
 // `haste`, between 0 and 1, is how much less of a chi the worst triangle is allowed from one
-// epsilon to the next. Returns whether it succeeded.
+// epsilon to the next. Returns whether it succeeded; it gives up where the worst triangle stays as
+// it is.
 inline bool untangle(Newton& newton, double haste, const Monitor& monitor)
 {
-  constexpr int max_steps = 300;
-  double epsilon = 1;
-  for (int steps = 0; steps < max_steps;) {
+  constexpr int max_steps = 300, patience = 5;
+  double epsilon = 1, best = newton.least_determinant();
+  for (int steps = 0, stuck = 0; steps < max_steps && stuck < patience;) {
     const Distortion_energy energy(epsilon);
     double value = newton.value(energy), decrease = 1;
     for (int i = 0; i < 3 || (decrease > 1e-3 && i < 10); ++i, ++steps) {
@@ -98,6 +99,8 @@ inline bool untangle(Newton& newton, double haste, const Monitor& monitor)
     const double least = newton.least_determinant();
     if (least > 0)
       return true;
+    stuck = least > 0.99 * best ? 0 : stuck + 1;
+    best = (std::max)(best, least);
     const double mu = (1 - (std::max)(decrease, haste)) * Distortion::chi(least, epsilon);
     if (least < mu)
       epsilon = 2 * std::sqrt(mu * (mu - least));
@@ -120,6 +123,15 @@ inline void relax(Newton& newton, int max_steps, const Monitor& monitor)
   }
 }
 
+// How to look for a valid map.
+struct Solution_attempt
+{
+  int coarse_faces; // number of triangles of the mesh to solve on
+  double haste;     // see `untangle`
+  bool is_even;     // whether small triangles count as much as large ones: easier where the layout
+                    // gives much space to what is small on the surface
+};
+
 // lists the faces at each vertex
 inline std::vector<std::vector<int>> stars(const Map& map)
 {
@@ -132,7 +144,7 @@ inline std::vector<std::vector<int>> stars(const Map& map)
 
 // Finds coordinates for all vertices such that no triangle is inverted and the angle sum is right
 // everywhere, starting from the target directions alone. Returns whether it succeeded.
-inline bool solve_map(Map& map, const std::vector<Cone>& cones, double haste,
+inline bool solve_map(Map& map, const std::vector<Cone>& cones, const Solution_attempt& attempt,
                       const Monitor& monitor)
 {
   const auto star = stars(map);
@@ -149,9 +161,11 @@ inline bool solve_map(Map& map, const std::vector<Cone>& cones, double haste,
         is_fixed[v] = 1;
   }
   Newton with_rings(map, is_fixed);
+  if (attempt.is_even)
+    with_rings.even_out();
   const Alignment_energy alignment(map);
   with_rings.step(alignment, with_rings.value(alignment));
-  if (!untangle(with_rings, haste, monitor))
+  if (!untangle(with_rings, attempt.haste, monitor))
     return false;
   Newton free(map, is_cone);
   relax(free, 50, monitor);
