@@ -59,7 +59,7 @@ a second. Where thousands of pairs of singularities are close, the solver sees o
 that some solution has violated; the bound holds without the others, and each solution is checked
 against all. The parts of the search end by limits of work, so that the result does not depend on
 the speed of the machine, unless a part reaches its share of the time limit or the whole search the
-limit itself, which is usual above about two hundred singularities.
+limit itself, which is usual above about one hundred singularities.
 
 @tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
         `GLPK_mixed_integer_program_traits<double>`
