@@ -85,17 +85,16 @@ def examine(model, options):
 def is_closed(model):
     """Tell whether each edge of a triangle mesh in OFF belongs to two triangles, in opposite directions."""
     with open(model, encoding="utf-8", errors="replace") as stream:
-        words = [word for line in stream for word in line.split("#")[0].split()]
+        lines = [words for words in (line.split("#")[0].split() for line in stream) if words]
+    if len(lines[0]) == 1:                       # "OFF", "COFF", ... may share a line with the counts
+        lines[:2] = [lines[0] + lines[1]]
     try:
-        vertices, faces = int(words[1]), int(words[2])
-        edges, at = set(), 4 + 3 * vertices
-        for _ in range(faces):
-            corners = words[at + 1:at + 4]
-            if words[at] != "3":
-                return False
-            edges.update(zip(corners, corners[1:] + corners[:1]))
-            at += 4
+        vertices, faces = int(lines[0][1]), int(lines[0][2])
+        corners = [face[1:4] for face in lines[1 + vertices:1 + vertices + faces] if face[0] == "3"]
+        edges = {edge for c in corners for edge in zip(c, c[1:] + c[:1])}
     except (ValueError, IndexError):
+        return False
+    if len(corners) != faces:
         return False
     return faces > 0 and len(edges) == 3 * faces and all((b, a) in edges for a, b in edges)
 
