@@ -50,11 +50,13 @@ inline void raise_degree(Charted_mesh& mesh, int v, int degree)
 // quarter-turns.
 inline void refine_around_cones(Charted_mesh& mesh, const std::vector<Cone>& cones)
 {
-  std::vector<char> is_cone(mesh.points.size(), 0);
+  std::vector<char> cone_mark(mesh.points.size(), 0);
   for (const Cone& c : cones)
-    is_cone[c.vertex] = 1;
-  for (int h = 0, n = mesh.number_of_halfedges(); h < n; ++h)
-    if (is_cone[mesh.source(h)] && mesh.target(h) < int(is_cone.size()) && is_cone[mesh.target(h)])
+    cone_mark[c.vertex] = 1;
+  const auto is_cone = [&](int v) { return v < int(cone_mark.size()) && cone_mark[v] != 0; };
+  // to the end of the halfedges by then: a split gives new numbers to edges beside it
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (is_cone(mesh.source(h)) && is_cone(mesh.target(h)))
       mesh.split(h);
   for (const Cone& c : cones)
     raise_degree(mesh, c.vertex, 2 * (4 - c.index));
