@@ -86,9 +86,9 @@ def is_closed(model):
     """Tell whether each edge of a triangle mesh in OFF belongs to two triangles, in opposite directions."""
     with open(model, encoding="utf-8", errors="replace") as stream:
         lines = [words for words in (line.split("#")[0].split() for line in stream) if words]
-    if len(lines[0]) == 1:                       # "OFF", "COFF", ... may share a line with the counts
-        lines[:2] = [lines[0] + lines[1]]
     try:
+        if len(lines[0]) == 1:                   # "OFF", "COFF", ... may share a line with the counts
+            lines[:2] = [lines[0] + lines[1]]
         vertices, faces = int(lines[0][1]), int(lines[0][2])
         corners = [face[1:4] for face in lines[1 + vertices:1 + vertices + faces] if face[0] == "3"]
         edges = {edge for c in corners for edge in zip(c, c[1:] + c[:1])}
@@ -104,7 +104,11 @@ def select(options):
     files = sorted(f for folder in options.data for f in glob.glob(os.path.join(folder, "*.off")))
     if options.models:
         files = [f for f in files if os.path.splitext(os.path.basename(f))[0] in options.models]
-    return [f for f in files if is_closed(f)]
+    closed = [f for f in files if is_closed(f)]
+    left_out = [os.path.basename(f) for f in files if f not in closed]
+    if left_out:
+        print("left out, as no closed meshes of triangles:", *left_out)
+    return closed
 
 
 def main():

@@ -50,10 +50,14 @@ a surface of its own, which has all the vertices of the surface of the field, an
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length of the edges of the quad mesh to come. It is the unit of the
-map: an edge of the layout gets the length, rounded to an integer of at least one, that it has on
-the surface in this unit.} \cgalParamType{double} \cgalParamDefault{one percent of the diagonal of
-the bounding box of the surface} \cgalParamNEnd \cgalParamNBegin{visitor} \cgalParamDescription{is
-told the progress, and can stop the work} \cgalParamType{a class like `Default_visitor`}
+                          map: an edge of the layout gets the length, rounded to an integer of at
+                          least one, that it has on the surface in this unit.}
+    \cgalParamType{double}
+    \cgalParamDefault{one percent of the diagonal of the bounding box of the surface}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told the progress, and can stop the work}
+    \cgalParamType{a class like `Default_visitor`}
     \cgalParamDefault{`Default_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd

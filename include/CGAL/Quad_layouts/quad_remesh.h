@@ -40,9 +40,10 @@ loops and several edges between two vertices, which not every function on meshes
 \param tm the surface
 \param out the mesh that the layout is added to
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
-`maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-`maximum_running_time`, `vertex_point_map`, `visitor`, ... \param np_out an optional sequence of
-\ref bgl_namedparameters "Named Parameters" for `out`: `vertex_point_map`
+          `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
+          `maximum_running_time`, `vertex_point_map`, `visitor`, ...
+\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
+              `vertex_point_map`
 
 \throw Error one of the exceptions of the stages. Nothing has been added to `out` then.
 */
@@ -74,10 +75,10 @@ them.
 \param tm the surface
 \param out the mesh that the quadrilaterals are stored in; it must be empty
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
-`maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-`maximum_running_time`, `vertex_point_map`, `visitor`, ... \param np_out an optional sequence of
-\ref bgl_namedparameters "Named Parameters" for `out`: those of `extract_quad_mesh()` and
-`smooth_quad_mesh()`
+          `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
+          `maximum_running_time`, `vertex_point_map`, `visitor`, ...
+\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
+              those of `extract_quad_mesh()` and `smooth_quad_mesh()`
 
 \pre `out` is empty.
 

@@ -87,11 +87,14 @@ listed below
     \cgalParamDescription{a property map associating points to the vertices of `quads`}
     \cgalParamType{a class model of `ReadWritePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a
-three-dimensional point as value type} \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the number of sweeps over all vertices that optimize angles; there are
-twice as many that take means of neighbours} \cgalParamType{`int`} \cgalParamDefault{30}
+                          twice as many that take means of neighbours}
+    \cgalParamType{`int`}
+    \cgalParamDefault{30}
     \cgalParamExtra{With 0 the vertices are only put on the surface, and inverted quads untangled.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}

@@ -69,9 +69,10 @@ edges of a quad mesh with this layout that lead from node to node.
 \param out the stream
 \param quads the quad mesh
 \param is_node tells where separatrices begin, end or cross, as the map `vertex_is_layout_node_map`
-of `extract_quad_mesh()` \param is_layout_edge tells which edges lie on separatrices, as the map
-`edge_is_layout_edge_map` of `extract_quad_mesh()` \param np an optional sequence of \ref
-bgl_namedparameters "Named Parameters": `vertex_point_map`
+               of `extract_quad_mesh()`
+\param is_layout_edge tells which edges lie on separatrices, as the map `edge_is_layout_edge_map`
+                      of `extract_quad_mesh()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
 
 \returns whether writing succeeded
 */

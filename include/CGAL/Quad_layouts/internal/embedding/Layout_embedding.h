@@ -118,10 +118,10 @@ public:
         {3000, 0.2, false}, {12000, 0.2, true}, {12000, 0.2, false}};
     for (Solution_attempt attempt : attempts) {
       attempt.coarse_faces += 40 * int(m_cones.size());
-      const int coarse_faces = attempt.coarse_faces;
+      const std::string place = "; on " + std::to_string(attempt.coarse_faces) + " triangles: ";
       Map map = start;
       if (!solve_coarse_to_fine(map, m_cones, attempt, m_monitor)) {
-        reasons += "; on " + std::to_string(coarse_faces) + " triangles: inverted ones remain";
+        reasons += place + "inverted ones remain";
         continue;
       }
       Integer_grid_map result = to_integer_grid_map(m_mesh, map, m_chord_length);
@@ -130,8 +130,7 @@ public:
         result.anchors = Anchor_search(result, m_layout, cone_places()).anchors();
       if (!result.anchors.empty())
         return result;
-      reasons += "; on " + std::to_string(coarse_faces) +
-                 " triangles: " + std::to_string(result.inverted) + " inverted, " +
+      reasons += place + std::to_string(result.inverted) + " inverted, " +
                  std::to_string(result.wrong_winding) +
                  " wrong angle sums, or misplaced layout edges";
     }
