@@ -62,7 +62,7 @@ Figures run_stages(const Mesh& mesh)
   const auto quantization = timed(result, [&] { return QL::quantize(t_mesh); });
   const auto layout =
       timed(result, [&] { return QL::extract_quad_layout(t_mesh, quantization); });
-  const auto map = timed(result, [&] { return QL::embed_quad_layout(field, t_mesh, layout); });
+  const auto map = timed(result, [&] { return QL::embed_quad_layout(t_mesh, layout); });
   Mesh quads;
   timed(result, [&] { QL::extract_quad_mesh(map, layout, quads); });
   timed(result, [&] { QL::smooth_quad_mesh(quads, mesh); });

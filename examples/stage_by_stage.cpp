@@ -59,7 +59,7 @@ void remesh(const Mesh& mesh, Mesh& quads)
   std::cout << "  a layout of " << simplicity.patches << " patches with "
             << simplicity.irregular_vertices << " irregular vertices\n";
 
-  const QL::Integer_grid_map map = QL::embed_quad_layout(field, t_mesh, layout, np);
+  const QL::Integer_grid_map map = QL::embed_quad_layout(t_mesh, layout, np);
   std::cout << "  a map of " << map.surface().number_of_faces() << " triangles, " << map.inverted
             << " of them inverted\n"
             << "  " << QL::layout_curves(map, layout).size()

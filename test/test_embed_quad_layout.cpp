@@ -40,7 +40,7 @@ struct Embedded
     const auto np = QL::parameters::maximum_displacement(displacement).target_edge_length(h);
     t_mesh = QL::trace_motorcycle_graph(field, np);
     layout = QL::extract_quad_layout(t_mesh, QL::quantize(t_mesh, np));
-    map = QL::embed_quad_layout(field, t_mesh, layout, np);
+    map = QL::embed_quad_layout(t_mesh, layout, np);
   }
 };
 
@@ -153,6 +153,6 @@ BOOST_AUTO_TEST_CASE(bad_parameters_are_refused)
   const Embedded e(generated::cube(4), 0, 0.1);
   for (const double h : {0., -1., std::nan("")})
     BOOST_CHECK_THROW(
-        QL::embed_quad_layout(e.field, e.t_mesh, e.layout, QL::parameters::target_edge_length(h)),
+        QL::embed_quad_layout(e.t_mesh, e.layout, QL::parameters::target_edge_length(h)),
         QL::Invalid_parameter);
 }

@@ -148,7 +148,7 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
   r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, np); });
   r.quantization = clock("quantize", [&] { return QL::quantize(r.t_mesh, np); });
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
-  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.field, r.t_mesh, r.layout, np); });
+  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, np); });
   clock("quad_mesh", [&] {
     QL::extract_quad_mesh(r.map, r.layout, r.quads,
                           QL::parameters::face_patch_map(r.patch)

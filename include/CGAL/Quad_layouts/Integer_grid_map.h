@@ -29,8 +29,8 @@ edge the chart changes by a number of quarter-turns and an integer translation. 
 at integer points, layout edges on integer lines. Around an *anchor*, a surface vertex that is a
 layout vertex of valence n, the triangles span n quarter-turns, around every other vertex four.
 
-Coordinates are multiples of 2^-24 below 2^24 in magnitude. So transitions are exact in double
-precision, and predicates on them can be decided exactly.
+All coordinates are multiples of one power of two, at most 2^-24, and below 2^48 times that in
+magnitude. So transitions are exact in double precision, and predicates on them can be decided exactly.
 */
 class Integer_grid_map
 {

@@ -50,6 +50,13 @@ public:
     int arcs;
   };
 
+  /// is a place where an arc crosses an edge of the surface.
+  struct Crossing
+  {
+    int halfedge; ///< of the surface, in the face that the arc enters
+    int position; ///< of the place in the list `edge_crossings` of the edge
+  };
+
   using Surface = internal::Triangle_surface;
 
   const Surface& surface() const { return *surface_pointer; }
@@ -99,6 +106,11 @@ public:
   /// `surface().halfedge_of_edge(e)` to its target; the patch of each is on the side of that
   /// source.
   std::vector<std::vector<int>> edge_crossings;
+  /// where each of `edge_crossings` lies: the fraction of the edge before it. It never decreases
+  /// along an edge; where lines converge beyond the resolution of numbers it stays the same.
+  std::vector<std::vector<double>> crossing_parameters;
+  /// per arc the edges of the surface that it crosses, in the order of travel.
+  std::vector<std::vector<Crossing>> arc_crossings;
   /// per corner (halfedge of the surface) the halfedges of the arcs that leave the node at its
   /// source into its face, counter-clockwise; empty away from nodes.
   std::vector<std::vector<int>> corner_arcs;

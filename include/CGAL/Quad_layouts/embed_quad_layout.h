@@ -7,7 +7,6 @@
 #ifndef CGAL_QUAD_LAYOUTS_EMBED_QUAD_LAYOUT_H
 #define CGAL_QUAD_LAYOUTS_EMBED_QUAD_LAYOUT_H
 
-#include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Integer_grid_map.h>
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
@@ -27,22 +26,26 @@ namespace Quad_layouts {
 
 maps a surface onto a quad layout: computes a locally injective integer-grid map.
 
-The mesh is not cut along the layout. Each triangle has a chart, and the changes of chart across the
-edges of the mesh are products of those across the arcs of the T-mesh, which the quantization makes
-integer. The cones of merged singularities are gathered in one of them. With the cones at their
-integer points, the coordinates of all other vertices are found by untangling (\cgalCite{g-fffl-21})
-and relaxing a coarse version of the mesh and then bringing back the removed vertices one by one,
-each inside the kernel of its star. The result is valid if no triangle is inverted *and* the angles
-around every vertex sum up to what the layout says; both are verified, with exact predicates for the
-first. Beyond that every layout edge is followed in the map and verified to lead to where the layout
-says, which proves that the layout is embedded.
+The map is found by construction. The quantization maps the common refinement of surface and T-mesh
+onto the layout, but takes whole regions to points and segments. These preimages of the layout's
+vertices have neighbourhoods that are discs: in each one a vertex is chosen, and the edges of the
+layout are led to it along disjoint paths. That embeds the layout on the mesh. Each of its faces is
+then mapped to a rectangle of integer size by Tutte's method (\cgalCite{t-hdg-63}), on a coarse version
+of the mesh in which the curves remain. From there the map minimizes a distortion that no inverted
+triangle can reach (\cgalCite{g-fffl-21}), the curves being free to move and only the irregular
+vertices held, and the removed vertices are brought back one by one, each inside the kernel of its
+star. Only lists, integers and paths decide about the structure.
 
-Triangles around cones are split where the mesh is too coarse for a valid map, so the map comes with
-a surface of its own, which has all the vertices of the surface of the field, and more behind them.
+The result is valid if no triangle is inverted *and* the angles around every vertex sum up to what the
+layout says; both are verified, with exact predicates for the first. Beyond that every layout edge is
+followed in the map and verified to lead to where the layout says, which proves that the layout is
+embedded.
+
+Triangles that the curves cross are divided, so the map comes with a surface of its own, which has all
+the vertices of the surface of the T-mesh, and more behind them.
 
 @tparam NamedParameters a sequence of named parameters
 
-@param field the cross field that the T-mesh was traced in
 @param t_mesh the T-mesh
 @param layout the layout extracted from the T-mesh
 @param np an optional sequence of named parameters among the ones listed below
@@ -63,28 +66,28 @@ a surface of its own, which has all the vertices of the surface of the field, an
 \cgalNamedParamsEnd
 
 \throw Invalid_parameter if a parameter is out of its range.
-\throw Stage_failure if no valid map was found. An invalid map is never returned.
+\throw Stage_failure if no valid map was found, with the place where it failed. An invalid map is never
+returned.
 \throw Cancelled if the visitor asks to stop.
 
-The time is that of simplifying and refining the mesh, about linear in the number of triangles, plus
-that of solving for the coarse mesh, which grows with the number of layout vertices.
+The time is about linear in the number of triangles of the common refinement, plus that of optimizing
+the coarse mesh, which grows with the number of layout vertices.
 */
 template <class NamedParameters = parameters::Default_named_parameters>
-Integer_grid_map embed_quad_layout(const Cross_field& field, const T_mesh& t_mesh,
-                                   const Quad_layout& layout,
+Integer_grid_map embed_quad_layout(const T_mesh& t_mesh, const Quad_layout& layout,
                                    const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
   const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
-                                    0.01 * field.surface().diagonal());
+                                    0.01 * t_mesh.surface().diagonal());
   if (!(h > 0 && std::isfinite(h)))
     throw Invalid_parameter("target_edge_length is " + std::to_string(h) +
                             ", but must be positive and finite");
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("embed_quad_layout", [&] {
-    return internal::Layout_embedding(field, t_mesh, layout, h, monitor).map();
+    return internal::Layout_embedding(t_mesh, layout, h, monitor).map();
   });
 }
 

@@ -95,7 +95,7 @@ void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
   const Cross_field field = compute_cross_field(tm, np);
   const T_mesh t_mesh = trace_motorcycle_graph(field, np);
   const Quad_layout layout = extract_quad_layout(t_mesh, quantize(t_mesh, np));
-  extract_quad_mesh(embed_quad_layout(field, t_mesh, layout, np), layout, out, np_out);
+  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np), layout, out, np_out);
   smooth_quad_mesh(out, tm, np_out, np);
 }
 

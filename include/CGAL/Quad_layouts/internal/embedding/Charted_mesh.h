@@ -7,9 +7,10 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHARTED_MESH_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHARTED_MESH_H
 
-#include <CGAL/Quad_layouts/internal/embedding/Layout_charts.h>
+#include <CGAL/Quad_layouts/Integer_grid_map.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -18,17 +19,20 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A triangle mesh with a chart per face, whose edges can be split.
+using Chart_change = Integer_grid_map::Transition;
+
+// A triangle mesh with a chart per face, whose edges can be split and collapsed.
 //
 // Halfedges are numbered as in Triangle_surface. New vertices and faces are appended; a face keeps
-// its number and chart when it is split, and its new part gets the same chart.
+// its number and chart when it is split, and its new part gets the same chart. What collapses remove
+// stays in the arrays, without connections, until `compact()`.
 class Charted_mesh
 {
 public:
   explicit Charted_mesh(const Triangle_surface& surface)
     : points(surface.points()), transition(surface.number_of_halfedges()),
-      cone_position(surface.number_of_halfedges(), Point2(0, 0)),
-      direction(surface.number_of_faces())
+      position(surface.number_of_halfedges(), Point2(0, 0)),
+      curve(surface.number_of_halfedges(), -1), is_original(surface.number_of_halfedges(), 0)
   {
     for (int h = 0; h < surface.number_of_halfedges(); ++h) {
       m_source.push_back(surface.source(h));
@@ -46,24 +50,34 @@ public:
   int target(int h) const { return m_source[next(h)]; }
   int opposite(int h) const { return m_opposite[h]; }
 
-  // the halfedges that leave v, counter-clockwise
-  std::vector<int> outgoing(int v) const
+  bool is_removed(int v) const { return m_vertex_halfedge[v] < 0; }
+
+  // calls `visit` for the halfedges that leave v, counter-clockwise
+  template <class Visit>
+  void for_each_outgoing(int v, Visit&& visit) const
   {
-    std::vector<int> result;
     int h = m_vertex_halfedge[v];
     if (h >= 0)
       do {
-        result.push_back(h);
+        visit(h);
         h = m_opposite[prev(h)];
       } while (h != m_vertex_halfedge[v]);
+  }
+
+  std::vector<int> outgoing(int v) const
+  {
+    std::vector<int> result;
+    for_each_outgoing(v, [&](int h) { result.push_back(h); });
     return result;
   }
 
-  Point normal(int f) const
+  // the halfedge from u to v, -1 if there is none
+  int halfedge_between(int u, int v) const
   {
-    const Point &p = points[m_source[3 * f]], &q = points[m_source[3 * f + 1]],
-                &r = points[m_source[3 * f + 2]];
-    return (q - p).cross(r - p).normalized();
+    const std::vector<int> halfedges = outgoing(u);
+    const auto found = std::find_if(halfedges.begin(), halfedges.end(),
+                                    [&](int h) { return target(h) == v; });
+    return found == halfedges.end() ? -1 : *found;
   }
 
   std::vector<std::array<int, 3>> triangles() const
@@ -80,26 +94,82 @@ public:
     const int m = int(points.size()), v = target(h), twin = m_opposite[h];
     points.push_back((1 - t) * points[m_source[h]] + t * points[v]);
     // the faces of h and its twin keep their corners at the source of h; the rest goes to new faces
-    const int front = split_face(h, m, false), back = split_face(twin, m, true);
+    const int front = split_face(h, m, t, false), back = split_face(twin, m, 1 - t, true);
     glue(front, back, transition[h]);
+    curve[front] = curve[h];
+    curve[back] = curve[twin];
+    is_original[front] = is_original[back] = is_original[h];
     m_vertex_halfedge.push_back(front);
     m_vertex_halfedge[v] = back;
     return m;
   }
 
+  // Moves the source of h to its target, which removes the source and the faces on both sides of h.
+  // The ends of h must have two common neighbours, and the charts be the same all around the source.
+  void collapse(int h)
+  {
+    const int u = m_source[h], v = target(h), twin = m_opposite[h];
+    for_each_outgoing(u, [&](int g) { m_source[g] = v; });
+    m_vertex_halfedge[u] = -1;
+    m_vertex_halfedge[v] = close(next(h), prev(h));
+    m_vertex_halfedge[m_source[m_opposite[next(twin)]]] = m_opposite[next(twin)];
+    close(next(twin), prev(twin));
+    for (const int g : {3 * (h / 3), 3 * (twin / 3)})
+      for (int k = 0; k < 3; ++k)
+        m_source[g + k] = -1;
+  }
+
+  // gives new numbers, in the old order, to the vertices and faces that are left; returns the new
+  // numbers of the vertices, -1 for removed ones
+  std::vector<int> compact()
+  {
+    std::vector<int> new_vertex(points.size(), -1), new_halfedge(m_source.size(), -1);
+    int vertices = 0, halfedges = 0;
+    for (int v = 0; v < int(points.size()); ++v)
+      if (!is_removed(v)) {
+        new_vertex[v] = vertices++;
+        points[new_vertex[v]] = points[v];
+        m_vertex_halfedge[new_vertex[v]] = m_vertex_halfedge[v];
+      }
+    for (int h = 0; h < number_of_halfedges(); ++h)
+      if (m_source[h] >= 0)
+        new_halfedge[h] = halfedges++;
+    for (int h = 0; h < number_of_halfedges(); ++h)
+      if (const int g = new_halfedge[h]; g >= 0) {
+        m_source[g] = new_vertex[m_source[h]];
+        m_opposite[g] = new_halfedge[m_opposite[h]];
+        transition[g] = transition[h];
+        position[g] = position[h];
+        curve[g] = curve[h];
+        is_original[g] = is_original[h];
+      }
+    points.resize(vertices);
+    m_vertex_halfedge.resize(vertices);
+    for (int& h : m_vertex_halfedge)
+      h = new_halfedge[h];
+    m_source.resize(halfedges);
+    m_opposite.resize(halfedges);
+    transition.resize(halfedges);
+    position.resize(halfedges);
+    curve.resize(halfedges);
+    is_original.resize(halfedges);
+    return new_vertex;
+  }
+
   std::vector<Point> points;
   std::vector<Chart_change>
       transition; // per halfedge, from the chart of its face to that on the other side
-  std::vector<Point2> cone_position; // per corner of a cone: its place in the chart of the face
-  std::vector<Point>
-      direction; // per face: a unit vector in space along which +x of its chart should point
+  std::vector<Point2> position; // per corner: its place in the chart of the face, where it is known
+  std::vector<int> curve; // per halfedge: what it runs along, or -1
+  std::vector<char> is_original; // per halfedge: whether it is part of an edge of the surface
 
 private:
   // Cuts the face of h from a new vertex m on h to the opposite corner. The part at the target of h
   // becomes a new face, or that at the source if `keep_target`. Returns the half of h that is in
   // the new face.
-  int split_face(int h, int m, bool keep_target)
+  int split_face(int h, int m, double t, bool keep_target)
   {
+    const Point2 place = (1 - t) * position[h] + t * position[next(h)];
     const int n = next(h), p = prev(h), first = number_of_halfedges();
     const std::array<int, 3> corners = keep_target
                                            ? std::array<int, 3>{m_source[h], m, m_source[p]}
@@ -110,18 +180,34 @@ private:
       m_source.push_back(corners[k]);
       m_opposite.push_back(-1);
       transition.push_back({});
-      cone_position.push_back(cone_position[old[k]]);
+      position.push_back(corners[k] == m ? place : Point2(position[old[k]]));
+      curve.push_back(-1);
+      is_original.push_back(0);
     }
-    direction.push_back(Point(direction[h / 3]));
     // of the two sides of the old face beside h, one moves to the new face and the cut takes its
     // place
     const int moved = keep_target ? p : n, heir = keep_target ? first + 2 : first + 1;
     const int cut = keep_target ? first + 1 : first + 2;
     glue(heir, m_opposite[moved], transition[moved]);
+    curve[heir] = std::exchange(curve[moved], -1);
+    is_original[heir] = std::exchange(is_original[moved], 0);
     glue(moved, cut, {});
     m_vertex_halfedge[m_source[p]] = keep_target ? first + 2 : p;
     m_source[keep_target ? h : n] = m;
+    position[keep_target ? h : n] = place;
     return first;
+  }
+
+  // joins what lies behind two sides of a face; returns what was behind the second
+  int close(int first, int second)
+  {
+    const int a = m_opposite[first], b = m_opposite[second];
+    curve[a] = (std::max)(curve[a], curve[second]);
+    curve[b] = (std::max)(curve[b], curve[first]);
+    is_original[a] = is_original[b] = is_original[a] | is_original[b];
+    glue(a, b, transition[second].after(transition[a]));
+    m_vertex_halfedge[m_source[a]] = a;
+    return b;
   }
 
   void glue(int h, int g, const Chart_change& change)

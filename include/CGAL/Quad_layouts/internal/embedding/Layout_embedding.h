@@ -7,7 +7,6 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_LAYOUT_EMBEDDING_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_LAYOUT_EMBEDDING_H
 
-#include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Integer_grid_map.h>
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
@@ -15,10 +14,9 @@
 #include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Anchor_search.h>
-#include <CGAL/Quad_layouts/internal/embedding/Layout_charts.h>
-#include <CGAL/Quad_layouts/internal/embedding/Merge_trees.h>
-#include <CGAL/Quad_layouts/internal/embedding/Surface_charts.h>
-#include <CGAL/Quad_layouts/internal/embedding/Target_directions.h>
+#include <CGAL/Quad_layouts/internal/embedding/Layout_curves.h>
+#include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
+#include <CGAL/Quad_layouts/internal/embedding/Square_map.h>
 #include <CGAL/Quad_layouts/internal/embedding/check_map.h>
 #include <CGAL/Quad_layouts/internal/embedding/coarse_to_fine.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
@@ -32,46 +30,27 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The roots of the clusters that must be held: those with an index, and one per component that has
-// none with an index.
-inline std::vector<Cone> choose_cones(const T_mesh& t_mesh, const Quad_layout& layout,
-                                      const std::vector<Cluster_root>& roots)
+// The layout vertices that are held at integer points: all irregular ones, and one of each component
+// that has none. `place` tells, per layout vertex, where on the mesh it is.
+inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vector<int>& place)
 {
-  const int n = t_mesh.number_of_vertices();
+  const int n = layout.number_of_vertices();
   Disjoint_sets component(n);
-  for (int a = 0; a < t_mesh.number_of_edges(); ++a)
-    component.union_set(t_mesh.source(2 * a), t_mesh.target(2 * a));
+  for (int e = 0; e < layout.number_of_edges(); ++e)
+    component.union_set(layout.source(2 * e), layout.target(2 * e));
   std::vector<char> has_cone(n, 0);
   std::vector<Cone> cones;
-  const auto hold = [&](const Cluster_root& r) {
-    has_cone[component.find_set(r.node)] = 1;
-    cones.push_back({t_mesh.surface_vertex(r.node), layout.clusters[r.cluster].index, r.cluster});
+  const auto hold = [&](int v) {
+    has_cone[component.find_set(v)] = 1;
+    cones.push_back({place[v], 4 - layout.valence(v), v});
   };
-  for (const Cluster_root& r : roots)
-    if (layout.clusters[r.cluster].index != 0)
-      hold(r);
-  for (const Cluster_root& r : roots)
-    if (!has_cone[component.find_set(r.node)])
-      hold(r);
+  for (int v = 0; v < n; ++v)
+    if (layout.valence(v) != 4)
+      hold(v);
+  for (int v = 0; v < n; ++v)
+    if (!has_cone[component.find_set(v)])
+      hold(v);
   return cones;
-}
-
-// Puts the flat structure of the layout on the triangles of the surface.
-inline Charted_mesh chart_surface(const Cross_field& field, const T_mesh& t_mesh,
-                                  const Layout_charts& charts, const std::vector<Cone>& cones)
-{
-  const Triangle_surface& surface = t_mesh.surface();
-  const Surface_charts surface_charts(t_mesh, charts);
-  Charted_mesh mesh(surface);
-  for (int h = 0; h < surface.number_of_halfedges(); ++h)
-    mesh.transition[h] = surface_charts.across(h).chart;
-  for (const Cone& c : cones)
-    surface.for_each_outgoing(
-        c.vertex, [&](int h) { mesh.cone_position[h] = surface_charts.node_position(h); });
-  const Target_directions target(field, t_mesh, charts, surface_charts);
-  for (int f = 0; f < surface.number_of_faces(); ++f)
-    mesh.direction[f] = surface.direction(f, target.angles()[f]);
-  return mesh;
 }
 
 // Rounds coordinates to what transitions keep exactly, and tells what the corners have in the
@@ -83,7 +62,11 @@ inline Integer_grid_map to_integer_grid_map(const Charted_mesh& mesh, const Map&
   result.surface_pointer = std::make_shared<const Triangle_surface>(mesh.points, mesh.triangles());
   result.halfedge_transition = mesh.transition;
   result.chord_length = std::move(chord_length);
-  constexpr double unit = 1 << 24;
+  double largest = 1;
+  for (const Map::Face& f : map.faces)
+    for (int k = 0; k < 3; ++k)
+      largest = (std::max)(largest, map.corner(f, k).lpNorm<Eigen::Infinity>());
+  const double unit = std::exp2(48 - std::ceil(std::log2(largest)));
   for (const Map::Face& f : map.faces)
     for (int k = 0; k < 3; ++k) {
       const Point2& x = map.coordinates[f.vertex[k]];
@@ -97,85 +80,70 @@ inline Integer_grid_map to_integer_grid_map(const Charted_mesh& mesh, const Map&
 class Layout_embedding
 {
 public:
-  Layout_embedding(const Cross_field& field, const T_mesh& t_mesh, const Quad_layout& layout,
-                   double target_edge_length, const Monitor& monitor)
-    : m_layout(layout), m_unit(target_edge_length), m_monitor(monitor),
-      m_chord_length(chord_divisions(layout, target_edge_length)),
-      m_mesh(charted_mesh(field, t_mesh))
+  Layout_embedding(const T_mesh& t_mesh, const Quad_layout& layout, double target_edge_length,
+                   const Monitor& monitor)
+    : m_t_mesh(t_mesh), m_layout(layout), m_unit(target_edge_length), m_monitor(monitor),
+      m_chord_length(chord_divisions(layout, target_edge_length)), m_squares(layout, m_chord_length)
   {
   }
 
-  // Tries meshes of several sizes: what sticks on one is usually solved on another.
-  Integer_grid_map map()
+  Integer_grid_map map() const
   {
-    std::vector<char> is_cone(m_mesh.points.size(), 0);
-    for (const Cone& c : m_cones)
-      is_cone[c.vertex] = 1;
-    const Map start = make_map(m_mesh, is_cone, m_unit);
-    std::string reasons;
-    constexpr Solution_attempt attempts[] = {
-        {4000, 0.5, false}, {4000, 0.5, true},  {7000, 0.3, false}, {7000, 0.3, true},
-        {3000, 0.2, false}, {12000, 0.2, true}, {12000, 0.2, false}};
-    for (Solution_attempt attempt : attempts) {
-      attempt.coarse_faces += 40 * int(m_cones.size());
-      const std::string place = "; on " + std::to_string(attempt.coarse_faces) + " triangles: ";
-      Map map = start;
-      if (!solve_coarse_to_fine(map, m_cones, attempt, m_monitor)) {
-        reasons += place + "inverted ones remain";
-        continue;
-      }
-      Integer_grid_map result = to_integer_grid_map(m_mesh, map, m_chord_length);
-      check(result, m_cones);
-      if (result.inverted == 0 && result.wrong_winding == 0)
-        result.anchors = Anchor_search(result, m_layout, cone_places()).anchors();
-      if (!result.anchors.empty())
-        return result;
-      reasons += place + std::to_string(result.inverted) + " inverted, " +
-                 std::to_string(result.wrong_winding) +
-                 " wrong angle sums, or misplaced layout edges";
-    }
-    throw Stage_failure("embed: no valid map onto the layout was found" + reasons);
-  }
-
-private:
-  Charted_mesh charted_mesh(const Cross_field& field, const T_mesh& t_mesh)
-  {
-    const Merge_trees trees(t_mesh, m_layout);
-    m_cones = choose_cones(t_mesh, m_layout, trees.roots());
-    const Layout_charts charts(t_mesh, m_layout, m_chord_length, trees.transfers());
-    check_indices(t_mesh, trees, charts);
-    Charted_mesh mesh = chart_surface(field, t_mesh, charts, m_cones);
-    refine_around_cones(mesh, m_cones);
-    return mesh;
-  }
-
-  // The roots of the clusters must have the whole index of their clusters, all other nodes none.
-  void check_indices(const T_mesh& t_mesh, const Merge_trees& trees,
-                     const Layout_charts& charts) const
-  {
-    std::vector<int> index(t_mesh.number_of_vertices(), 0);
-    for (const Cluster_root& r : trees.roots())
-      index[r.node] = m_layout.clusters[r.cluster].index;
-    for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
-      if (!charts.has_index(n, index[n]))
-        throw Stage_failure("embed: the index of T-mesh node " + std::to_string(n) +
-                            " could not be gathered");
-  }
-
-  std::vector<Anchor_search::Cone_place> cone_places() const
-  {
-    std::vector<Anchor_search::Cone_place> result;
-    for (const Cone& c : m_cones)
-      result.push_back({c.vertex, m_layout.clusters[c.cluster].vertex});
+    Embedded_layout embedded = Layout_curves(m_t_mesh, m_layout).result();
+    m_monitor.report("embed", 0.2);
+    Overlay_reduction(embedded, m_t_mesh.surface().number_of_vertices());
+    Square_charts(embedded, m_layout, m_squares);
+    m_monitor.report("embed", 0.3);
+    const std::vector<Cone> cones = choose_cones(m_layout, embedded.vertices);
+    Integer_grid_map result =
+        to_integer_grid_map(embedded.mesh, solve(embedded, cones), m_chord_length);
+    verify(result, cones);
     return result;
   }
 
+private:
+  // Begins on a coarse mesh, then refines: that is faster, and triangles remain large in the map.
+  Map solve(const Embedded_layout& embedded, const std::vector<Cone>& cones) const
+  {
+    std::vector<char> is_cone(embedded.mesh.points.size(), 0);
+    for (const Cone& c : cones)
+      is_cone[c.vertex] = 1;
+    Map map = make_map(embedded.mesh, is_cone, m_unit);
+    Vertex_removal levels(map, embedded.vertices);
+    levels.simplify(4000 + 10 * m_layout.number_of_faces());
+    Map coarse = levels.coarse_map();
+    Square_map(coarse, embedded.vertices, m_layout, m_squares);
+    m_monitor.report("embed", 0.5);
+    relax(coarse, is_cone, m_monitor);
+    m_monitor.report("embed", 0.7);
+    map.coordinates = std::move(coarse.coordinates);
+    if (!restore_all(map, levels, is_cone, m_monitor))
+      throw Stage_failure("embed: a removed vertex could not be brought back into the map");
+    m_monitor.report("embed", 0.9);
+    sweep(map, levels, is_cone, m_monitor);
+    return map;
+  }
+
+  void verify(Integer_grid_map& map, const std::vector<Cone>& cones) const
+  {
+    check(map, cones);
+    if (map.inverted > 0 || map.wrong_winding > 0)
+      throw Stage_failure("embed: " + std::to_string(map.inverted) + " inverted triangles and " +
+                          std::to_string(map.wrong_winding) + " wrong angle sums remain");
+    std::vector<Anchor_search::Cone_place> places;
+    for (const Cone& c : cones)
+      places.push_back({c.vertex, c.layout_vertex});
+    map.anchors = Anchor_search(map, m_layout, places).anchors();
+    if (map.anchors.empty())
+      throw Stage_failure("embed: the map does not lead along the edges of the layout");
+  }
+
+  const T_mesh& m_t_mesh;
   const Quad_layout& m_layout;
   double m_unit;
   const Monitor& m_monitor;
   std::vector<int> m_chord_length;
-  std::vector<Cone> m_cones;
-  Charted_mesh m_mesh;
+  Layout_squares m_squares;
 };
 
 } // namespace internal

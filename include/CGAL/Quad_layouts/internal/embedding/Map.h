@@ -8,15 +8,11 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_MAP_H
 
 #include <CGAL/Quad_layouts/internal/embedding/Charted_mesh.h>
-#include <CGAL/Quad_layouts/internal/field/matching.h>
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -31,6 +27,7 @@ struct Map
   {
     std::array<int, 3> vertex;
     std::array<Chart_change, 3> chart;
+    std::array<int, 3> curve; // per side, that from corner k to k + 1 first: what it runs along, or -1
 
     int corner_of(int v) const { return vertex[0] == v ? 0 : vertex[1] == v ? 1 : 2; }
     bool has(int v) const { return vertex[0] == v || vertex[1] == v || vertex[2] == v; }
@@ -39,7 +36,6 @@ struct Map
   std::vector<Point> points; // per vertex, on the surface, in units of the edges of the quad mesh
   std::vector<Face> faces;
   std::vector<Point2> coordinates; // per vertex, in its own chart
-  std::vector<Point> direction;    // per vertex, where +x of its chart should point
 
   Point2 corner(const Face& f, int k) const { return f.chart[k](coordinates[f.vertex[k]]); }
 
@@ -49,34 +45,14 @@ struct Map
   }
 };
 
-// The shape of a triangle on the surface, as needed to measure how a map distorts it.
-struct Rest_shape
+// lists the faces at each vertex
+inline std::vector<std::vector<int>> stars(const Map& map)
 {
-  Eigen::Matrix2d
-      inverse; // of the matrix of its edges from corner 0, in a frame with x along its first edge
-  double area;
-
-  Rest_shape(const Point& p, const Point& q, const Point& r)
-  {
-    const Point a = q - p, b = r - p;
-    const double length = a.norm(), height = a.cross(b).norm() / length;
-    Eigen::Matrix2d edges;
-    edges << length, a.dot(b) / length, 0, height;
-    inverse = edges.inverse();
-    area = length * height / 2;
-  }
-
-  Eigen::Matrix2d jacobian(const std::array<Point2, 3>& corners) const
-  {
-    Eigen::Matrix2d image;
-    image << corners[1] - corners[0], corners[2] - corners[0];
-    return image * inverse;
-  }
-};
-
-inline Rest_shape rest_shape(const Map& map, const Map::Face& f)
-{
-  return Rest_shape(map.points[f.vertex[0]], map.points[f.vertex[1]], map.points[f.vertex[2]]);
+  std::vector<std::vector<int>> result(map.points.size());
+  for (std::size_t f = 0; f < map.faces.size(); ++f)
+    for (const int v : map.faces[f].vertex)
+      result[v].push_back(int(f));
+  return result;
 }
 
 // Lists the charts of the corners of a charted mesh: the chart of a vertex is that of one of its
@@ -85,19 +61,18 @@ inline Map make_map(const Charted_mesh& mesh, const std::vector<char>& is_cone, 
 {
   Map map;
   map.coordinates.assign(mesh.points.size(), Point2(0, 0));
-  map.direction.assign(mesh.points.size(), Point(0, 0, 0));
   for (const Point& p : mesh.points)
     map.points.push_back(p / unit);
   for (const auto& t : mesh.triangles())
-    map.faces.push_back({t, {}});
+    map.faces.push_back({t, {}, {-1, -1, -1}});
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    map.faces[h / 3].curve[h % 3] = mesh.curve[h];
   for (int v = 0; v < int(mesh.points.size()); ++v) {
     Chart_change chart;
     for (const int h : mesh.outgoing(v)) {
       if (is_cone[v])
-        chart.translation = mesh.cone_position[h];
+        chart.translation = mesh.position[h];
       map.faces[h / 3].chart[h % 3] = chart;
-      map.direction[v] += Eigen::AngleAxisd(chart.quarter_turns * right_angle, mesh.normal(h / 3)) *
-                          mesh.direction[h / 3];
       chart = mesh.transition[Charted_mesh::prev(h)].after(chart);
     }
     CGAL_assertion(is_cone[v] || (chart.quarter_turns == 0 && chart.translation.isZero(0)));

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/internal/embedding/Distortion.h>
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
+#include <CGAL/Quad_layouts/internal/embedding/Rest_shape.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -21,31 +22,35 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Minimizes sums of energies of triangles over the coordinates of the vertices that are free.
-//
-// An energy offers value(face, J) and derivatives(face, J, gradient, hessian) by the entries of
-// the Jacobian J of the map in the face; the Hessian must be positive semi-definite.
+// Minimizes the distortion of a map without inverted triangles, over the coordinates of the vertices
+// that are free.
 class Newton
 {
 public:
-  Newton(Map& map, const std::vector<char>& is_fixed) : m_map(map), m_unknown(map.points.size(), -1)
+  // vertices without faces are not free
+  Newton(Map& map, const std::vector<char>& is_fixed, double aspect = Rest_shape::least_aspect)
+    : m_map(map), m_unknown(map.points.size(), -1)
   {
-    for (std::size_t v = 0; v < map.points.size(); ++v)
-      if (!is_fixed[v])
-        m_unknown[v] = m_number_of_unknowns++;
-    for (const Map::Face& f : map.faces)
-      m_rest.push_back(rest_shape(map, f));
+    for (const Map::Face& f : map.faces) {
+      m_rest.emplace_back(map.points[f.vertex[0]], map.points[f.vertex[1]], map.points[f.vertex[2]],
+                          aspect);
+      for (const int v : f.vertex)
+        if (!is_fixed[v] && m_unknown[v] < 0)
+          m_unknown[v] = m_number_of_unknowns++;
+    }
   }
 
-  // From now on, measures the triangles as if they all had the same area.
-  void even_out()
+  // From now on, measures the triangles as if their areas differed less: with `evenness` 1 they are
+  // all the same.
+  void even_out(double evenness)
   {
     double mean = 0;
     for (const Rest_shape& r : m_rest)
       mean += r.area / double(m_rest.size());
     for (Rest_shape& r : m_rest) {
-      r.inverse *= std::sqrt(r.area / mean);
-      r.area = mean;
+      const double scale = std::pow(mean / r.area, evenness);
+      r.inverse /= std::sqrt(scale);
+      r.area *= scale;
     }
   }
 
@@ -54,30 +59,20 @@ public:
     return m_rest[f].jacobian(m_map.corners(m_map.faces[f]));
   }
 
-  double least_determinant() const
-  {
-    double least = (std::numeric_limits<double>::infinity)();
-    for (std::size_t f = 0; f < m_map.faces.size(); ++f)
-      least = (std::min)(least, jacobian(f).determinant());
-    return least;
-  }
-
-  template <class Energy>
-  double value(const Energy& energy) const
+  // the distortion of all triangles, weighted by area
+  double value() const
   {
     double sum = 0;
     for (std::size_t f = 0; f < m_map.faces.size(); ++f)
-      sum += m_rest[f].area * energy.value(f, jacobian(f));
+      sum += m_rest[f].area * Distortion::value(jacobian(f));
     return sum;
   }
 
-  // solves for the minimum of the energy's quadratic model and goes there, or less far if the
-  // energy would not fall; returns the energy that is reached, `before` (the present one) if no
-  // step helps
-  template <class Energy>
-  double step(const Energy& energy, double before)
+  // solves for the minimum of the quadratic model and goes there, or less far if the distortion would
+  // not fall; returns the distortion that is reached, `before` (the present one) if no step helps
+  double step(double before)
   {
-    assemble(energy);
+    assemble();
     if (!m_is_analyzed)
       m_solver.analyzePattern(m_hessian);
     m_is_analyzed = true;
@@ -88,7 +83,7 @@ public:
     const std::vector<Point2> start = m_map.coordinates;
     for (double length = 1; length > 1e-6; length /= 2) {
       go(start, move, length);
-      const double after = value(energy);
+      const double after = value();
       if (after < before)
         return after;
     }
@@ -97,8 +92,7 @@ public:
   }
 
 private:
-  template <class Energy>
-  void assemble(const Energy& energy)
+  void assemble()
   {
     const int n = 2 * m_number_of_unknowns;
     m_gradient = Eigen::VectorXd::Zero(n);
@@ -106,7 +100,7 @@ private:
     for (int i = 0; i < n; ++i)
       m_entries.emplace_back(i, i, 1e-10);
     for (std::size_t f = 0; f < m_map.faces.size(); ++f)
-      add_face(f, energy);
+      add_face(f);
     m_hessian.resize(n, n);
     m_hessian.setFromTriplets(m_entries.begin(), m_entries.end());
   }
@@ -114,13 +108,13 @@ private:
   // The derivatives by the Jacobian turn into derivatives by the three corners, each turned into
   // the chart of its vertex: a corner contributes to J its coordinates times a row vector, its
   // weight.
-  template <class Energy>
-  void add_face(std::size_t f, const Energy& energy)
+  void add_face(std::size_t f)
   {
     const Map::Face& face = m_map.faces[f];
     Eigen::Vector4d gradient;
     Eigen::Matrix4d hessian;
-    energy.derivatives(f, jacobian(f), gradient, hessian);
+    Distortion::derivatives(jacobian(f), gradient, hessian);
+    Distortion::make_positive(hessian);
     const Eigen::Matrix2d& b = m_rest[f].inverse;
     const std::array<Point2, 3> weight{Point2(-b.colwise().sum().transpose()),
                                        Point2(b.row(0).transpose()), Point2(b.row(1).transpose())};

@@ -9,7 +9,7 @@
 
 #include <CGAL/Quad_layouts/internal/embedding/Distortion.h>
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
-#include <CGAL/Quad_layouts/internal/embedding/solve_map.h>
+#include <CGAL/Quad_layouts/internal/embedding/Rest_shape.h>
 
 #include <limits>
 #include <vector>
@@ -71,18 +71,12 @@ private:
     Eigen::Matrix2d jacobian(const Point2& x) const { return rest.jacobian({x, a, b}); }
   };
 
-  static Distortion distortion() { return Distortion(Distortion_energy::area_weight); }
-
   // the distortion if the vertex is at x, infinite if a triangle is inverted
   double value(const Point2& x) const
   {
     double sum = 0;
-    for (const Triangle& t : m_triangles) {
-      const Eigen::Matrix2d j = t.jacobian(x);
-      if (!(j.determinant() > 0))
-        return (std::numeric_limits<double>::infinity)();
-      sum += t.rest.area * distortion().value(j);
-    }
+    for (const Triangle& t : m_triangles)
+      sum += t.rest.area * Distortion::value(t.jacobian(x));
     return sum;
   }
 
@@ -91,7 +85,7 @@ private:
   {
     Eigen::Vector4d g;
     Eigen::Matrix4d h;
-    distortion().derivatives(t.jacobian(x), g, h);
+    Distortion::derivatives(t.jacobian(x), g, h);
     Eigen::Matrix<double, 4, 2> by_vertex;
     const Eigen::RowVector2d weight = -t.rest.inverse.colwise().sum();
     by_vertex << weight.x() * Eigen::Matrix2d::Identity(), weight.y() * Eigen::Matrix2d::Identity();

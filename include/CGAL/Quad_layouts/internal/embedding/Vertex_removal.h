@@ -7,8 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_VERTEX_REMOVAL_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_VERTEX_REMOVAL_H
 
-#include <CGAL/Quad_layouts/internal/embedding/refine_around_cones.h>
-#include <CGAL/Quad_layouts/internal/embedding/solve_map.h>
+#include <CGAL/Quad_layouts/internal/embedding/Map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,44 +31,37 @@ struct Removal
 
 // Simplifies the triangles of a map by half-edge collapses, and takes the collapses back.
 //
-// Cones and the two rings around them stay: with the outer ring gone, a vertex could touch so much
-// of the inner one that no valid map exists. Charts are carried along exactly, so that the
+// The curves of the map stay: their vertices move along them only, their ends not at all, and no
+// other edge ever joins two vertices of curves. Charts are carried along exactly, so that the
 // coordinates of any vertex that is present keep their meaning on every level.
 class Vertex_removal
 {
 public:
-  Vertex_removal(Map& map, const std::vector<Cone>& cones)
+  // `ends`: where curves end
+  Vertex_removal(Map& map, const std::vector<int>& ends)
     : m_map(map), m_star(stars(map)), m_kind(map.points.size(), FREE),
       m_is_present(map.faces.size(), 1), m_number_of_faces(int(map.faces.size())),
       m_is_queued(map.points.size(), 0)
   {
-    for (const Cone& c : cones)
-      for (const int ring_vertex : neighbours(c.vertex))
-        for (const int f : m_star[ring_vertex])
-          for (const int v : map.faces[f].vertex)
-            m_kind[v] = RING;
-    for (const Cone& c : cones)
-      m_kind[c.vertex] = CONE;
+    for (const Map::Face& f : map.faces)
+      for (int k = 0; k < 3; ++k)
+        if (f.curve[k] >= 0)
+          m_kind[f.vertex[k]] = ON_CURVE;
+    for (const int v : ends)
+      m_kind[v] = HELD;
   }
 
-  // removes vertices, along the shortest edges first, until `target` faces are left or none may go
+  // Removes vertices, along the shortest edges first, until `target` faces are left or none may go.
+  // Where curves run closely together, triangles are too narrow for all care.
   void simplify(int target)
   {
     bound_edges(target);
-    for (std::size_t v = 0; v < m_star.size(); ++v)
-      enqueue(int(v));
-    while (m_number_of_faces > target && !m_queue.empty()) {
-      const auto [cost, u, v] = m_queue.top();
-      m_queue.pop();
-      m_is_queued[u] = 0;
-      if (m_star[u].empty())
-        continue;
-      if (cost_of_collapse(u, v) == cost)
-        collapse(u, v);
-      else
-        enqueue(u);
+    for (const Care care : {SHAPES, NORMALS, NONE}) {
+      m_care = care;
+      for (std::size_t v = 0; v < m_star.size(); ++v)
+        enqueue(int(v));
+      collapse_queued(target);
     }
-    m_queue = {};
   }
 
   // the present faces with all vertices, absent ones being isolated
@@ -84,7 +76,6 @@ public:
   }
 
   bool is_complete() const { return m_removals.empty(); }
-  int number_of_removals() const { return int(m_removals.size()); }
 
   // brings back the vertex that was removed last and returns it; its coordinates are not set
   int restore()
@@ -109,15 +100,33 @@ public:
   }
 
   const std::vector<int>& star(int v) const { return m_star[v]; }
-  bool is_cone(int v) const { return m_kind[v] == CONE; }
 
 private:
-  enum Kind : char { FREE, RING, CONE };
+  // what a collapse must keep: the shapes and normals of triangles, or their normals only, or neither
+  enum Care : char { SHAPES, NORMALS, NONE };
+  enum Kind : char { FREE, ON_CURVE, HELD };
   using Entry = std::tuple<double, int, int>;
 
   static void remove(std::vector<int>& list, int x)
   {
     list.erase(std::find(list.begin(), list.end(), x));
+  }
+
+  void collapse_queued(int target)
+  {
+    while (m_number_of_faces > target && !m_queue.empty()) {
+      const auto [cost, u, v] = m_queue.top();
+      m_queue.pop();
+      m_is_queued[u] = 0;
+      if (m_star[u].empty())
+        continue;
+      if (cost_of_collapse(u, v) == cost)
+        collapse(u, v);
+      else
+        enqueue(u);
+    }
+    m_queue = {};
+    std::fill(m_is_queued.begin(), m_is_queued.end(), 0);
   }
 
   static constexpr double forbidden = std::numeric_limits<double>::infinity();
@@ -127,13 +136,14 @@ private:
   {
     double area = 0;
     for (const Map::Face& f : m_map.faces)
-      area += rest_shape(m_map, f).area;
+      area += normal(m_map.points[f.vertex[0]], m_map.points[f.vertex[1]], m_map.points[f.vertex[2]])
+                  .norm() / 2;
     m_longest = 2 * std::sqrt(4 / std::sqrt(3.) * area / target);
   }
 
   void enqueue(int u)
   {
-    if (m_is_queued[u] || m_kind[u] != FREE || m_star[u].empty())
+    if (m_is_queued[u] || m_kind[u] == HELD || m_star[u].empty())
       return;
     Entry best(forbidden, u, -1);
     for (const int f : m_star[u]) {
@@ -156,14 +166,29 @@ private:
 
   double cost_of_collapse(int u, int v) const
   {
-    if (m_kind[v] == CONE || !keeps_manifold(u, v))
+    if (!keeps_curves(u, v) || !keeps_manifold(u, v))
       return forbidden;
-    const double change = change_of_shape(u, v);
+    const double change = m_care == NONE ? 0 : change_of_shape(u, v);
     return change == forbidden ? forbidden
                                : (m_map.points[u] - m_map.points[v]).norm() * (1 + change);
   }
 
-  // checks the link condition, the valences, and that rings get no chords and are not joined
+  bool keeps_curves(int u, int v) const
+  {
+    return m_kind[u] == FREE || is_curve(u, v);
+  }
+
+  // whether the edge from u to v is part of a curve
+  bool is_curve(int u, int v) const
+  {
+    return std::any_of(m_star[u].begin(), m_star[u].end(), [&](int f) {
+      const Map::Face& face = m_map.faces[f];
+      const int k = face.corner_of(u);
+      return face.curve[k] >= 0 && face.vertex[(k + 1) % 3] == v;
+    });
+  }
+
+  // checks the link condition, the valences, and that no new edge joins two curves
   bool keeps_manifold(int u, int v) const
   {
     const std::vector<int> of_u = neighbours(u), of_v = neighbours(v);
@@ -175,7 +200,7 @@ private:
       common += is_common;
       if (is_common && m_star[w].size() < 5)
         return false;
-      if (!is_common && w != v && m_kind[v] == RING && m_kind[w] == RING)
+      if (!is_common && w != v && m_kind[u] == FREE && m_kind[v] != FREE && m_kind[w] != FREE)
         return false;
     }
     const std::size_t valence = of_u.size() + of_v.size() - 4;
@@ -203,7 +228,7 @@ private:
       change = (std::max)(change, 1 - cosine);
       worst_after = (std::min)(worst_after, quality(m_map.points[v], a, b));
     }
-    return worst_after < (std::min)(0.3, 0.9 * worst_before) ? forbidden : change;
+    return m_care == SHAPES && worst_after < (std::min)(0.3, 0.9 * worst_before) ? forbidden : change;
   }
 
   static Point normal(const Point& p, const Point& q, const Point& r)
@@ -242,15 +267,32 @@ private:
         m_star[v].push_back(f);
       }
     }
+    for (const Map::Face& face : removal.before)
+      if (face.has(v))
+        hand_over_curve(face, u, v);
     m_removals.push_back(std::move(removal));
     for (const int w : around)
       enqueue(w);
+  }
+
+  // The face behind a removed one takes the place of that one beside the curve, if there is one.
+  void hand_over_curve(const Map::Face& removed, int u, int v)
+  {
+    const int side = (removed.corner_of(u) + 1) % 3;
+    if (removed.curve[side] < 0)
+      return;
+    const int from = removed.vertex[side], to = removed.vertex[(side + 1) % 3];
+    for (const int f : m_star[v])
+      for (int k = 0; k < 3; ++k)
+        if (m_map.faces[f].vertex[k] == from && m_map.faces[f].vertex[(k + 1) % 3] == to)
+          m_map.faces[f].curve[k] = removed.curve[side];
   }
 
   Map& m_map;
   std::vector<std::vector<int>> m_star; // per vertex its faces, in no order
   std::vector<Kind> m_kind;             // per vertex
   std::vector<char> m_is_present;       // per face
+  Care m_care = SHAPES;
   int m_number_of_faces;
   double m_longest = 0;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;

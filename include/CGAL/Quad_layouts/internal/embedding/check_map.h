@@ -8,7 +8,6 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHECK_MAP_H
 
 #include <CGAL/Quad_layouts/Integer_grid_map.h>
-#include <CGAL/Quad_layouts/internal/embedding/refine_around_cones.h>
 #include <CGAL/Quad_layouts/internal/field/matching.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -41,6 +40,14 @@ inline bool is_positive(const Integer_grid_map& map, int f)
   };
   return orientation(corner(0), corner(1), corner(2)) == LEFT_TURN;
 }
+
+// A vertex of the mesh that is held at an integer point of the map.
+struct Cone
+{
+  int vertex;
+  int index; // in quarters; the map spans 4 - index quarter-turns around it
+  int layout_vertex;
+};
 
 // Counts what keeps a map from being locally injective, and stores the counts in it.
 inline void check(Integer_grid_map& map, const std::vector<Cone>& cones)

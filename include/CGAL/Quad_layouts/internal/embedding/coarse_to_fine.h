@@ -8,20 +8,44 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_COARSE_TO_FINE_H
 
 #include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/embedding/Newton.h>
 #include <CGAL/Quad_layouts/internal/embedding/Vertex_neighbourhood.h>
 #include <CGAL/Quad_layouts/internal/embedding/Vertex_removal.h>
-#include <CGAL/Quad_layouts/internal/embedding/solve_map.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
+// Improves a map without inverted triangles, starting from one that may be far from the best.
+//
+// At first all triangles are measured as if they were of the same size and not narrow, so that none
+// dominates; then more and more as they are.
+inline void relax(Map& map, const std::vector<char>& is_fixed, const Monitor& monitor)
+{
+  struct Stage
+  {
+    double evenness, aspect;
+    int max_steps;
+  };
+  constexpr Stage stages[] = {
+      {1, 0.5, 20}, {0.75, 0.1, 20}, {0.5, 0.02, 20}, {0.25, 0.005, 20}, {0, Rest_shape::least_aspect, 50}};
+  for (const Stage& stage : stages) {
+    Newton newton(map, is_fixed, stage.aspect);
+    newton.even_out(stage.evenness);
+    double value = newton.value(), decrease = 1;
+    for (int i = 0; i < stage.max_steps && decrease > 1e-4; ++i) {
+      monitor.check("embed");
+      const double before = std::exchange(value, newton.step(value));
+      decrease = (before - value) / before;
+    }
+  }
+}
+
 inline void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps)
 {
-  if (levels.is_cone(v) || levels.star(v).empty())
-    return;
   const Vertex_neighbourhood neighbourhood(map, v, levels.star(v));
   for (int i = 0; i < steps; ++i)
     neighbourhood.improve(map.coordinates[v]);
@@ -32,7 +56,8 @@ inline void improve_vertex(Map& map, const Vertex_removal& levels, int v, int st
 //
 // Such a place exists: the vertex into which the removed one was collapsed sees the whole polygon.
 // Returns whether rounding let it be found for every vertex.
-inline bool restore_all(Map& map, Vertex_removal& levels, const Monitor& monitor)
+inline bool restore_all(Map& map, Vertex_removal& levels, const std::vector<char>& is_fixed,
+                        const Monitor& monitor)
 {
   for (int i = 0; !levels.is_complete(); ++i) {
     if (i % 1024 == 0)
@@ -42,32 +67,23 @@ inline bool restore_all(Map& map, Vertex_removal& levels, const Monitor& monitor
       return false;
     improve_vertex(map, levels, v, 4);
     for (const int f : levels.star(v))
-      improve_vertex(map, levels, map.faces[f].vertex[(map.faces[f].corner_of(v) + 1) % 3], 1);
+      if (const int w = map.faces[f].vertex[(map.faces[f].corner_of(v) + 1) % 3]; !is_fixed[w])
+        improve_vertex(map, levels, w, 1);
   }
   return true;
 }
 
-// Solves for a map on a simplified mesh of about `attempt.coarse_faces` triangles, then refines it.
-// Returns whether it succeeded; if not, the coordinates are of no use.
-//
-// The difficulty of finding a valid map grows with the number of triangles, that of refining one
-// does not.
-inline bool solve_coarse_to_fine(Map& map, const std::vector<Cone>& cones,
-                                 const Solution_attempt& attempt, const Monitor& monitor)
+// improves the places of all vertices in turn, several times
+inline void sweep(Map& map, const Vertex_removal& levels, const std::vector<char>& is_fixed,
+                  const Monitor& monitor)
 {
   constexpr int sweeps = 4;
-  Vertex_removal levels(map, cones);
-  levels.simplify(attempt.coarse_faces);
-  Map coarse = levels.coarse_map();
-  if (!solve_map(coarse, cones, attempt, monitor))
-    return false;
-  map.coordinates = std::move(coarse.coordinates);
-  if (!restore_all(map, levels, monitor))
-    return false;
-  for (int i = 0; i < sweeps; ++i)
+  for (int i = 0; i < sweeps; ++i) {
+    monitor.check("embed");
     for (int v = 0; v < int(map.points.size()); ++v)
-      improve_vertex(map, levels, v, 1);
-  return true;
+      if (!is_fixed[v])
+        improve_vertex(map, levels, v, 1);
+  }
 }
 
 } // namespace internal

@@ -68,6 +68,16 @@ inline void raise_to_simple(const Quad_layout& layout, std::vector<int>& divisio
   }
 }
 
+// Raises the divisions of edges that are loops. They go around tunnels, or tubes, with a single
+// corner: with few parts they would be sharply bent there.
+inline void raise_loops(const Quad_layout& layout, std::vector<int>& divisions)
+{
+  constexpr int least = 6;
+  for (int e = 0; e < layout.number_of_edges(); ++e)
+    if (layout.source(2 * e) == layout.target(2 * e))
+      divisions[layout.chord(e)] = (std::max)(divisions[layout.chord(e)], least);
+}
+
 // Returns the number of parts that the edges of each chord are divided into for a quad mesh whose
 // edges have about the given length.
 inline std::vector<int> chord_divisions(const Quad_layout& layout, double target_edge_length)
@@ -76,6 +86,7 @@ inline std::vector<int> chord_divisions(const Quad_layout& layout, double target
   std::vector<int> result;
   for (double length : layout.chord_length)
     result.push_back(int(std::clamp(std::round(length / target_edge_length), 1., most)));
+  raise_loops(layout, result);
   raise_to_simple(layout, result);
   return result;
 }

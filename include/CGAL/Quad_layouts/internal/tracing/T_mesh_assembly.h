@@ -98,8 +98,10 @@ private:
     double length = 0;
     for (int c : trace.chords) {
       const auto& chord = m_chords.chord(c);
-      if (chord.from.point >= 0)
+      if (chord.from.point >= 0) {
         m_halfedge_of_point[chord.from.point] = halfedge_towards_source(chord.from);
+        m_result.arc_crossings.back().push_back({chord.from.halfedge, chord.from.point});
+      }
       for (int x : chord.crossings) {
         if (!m_chords.crossing(x).confirmed)
           continue;
@@ -128,6 +130,7 @@ private:
   {
     m_result.traces[t].arcs.push_back(m_result.number_of_edges());
     m_result.arc_trace.push_back(t);
+    m_result.arc_crossings.emplace_back();
     m_result.halfedge_target.insert(m_result.halfedge_target.end(), {-1, node});
   }
 
@@ -207,14 +210,22 @@ private:
     }
   }
 
-  // Points behind the end of a trace have no arc.
+  // Points behind the end of a trace have no arc. The arcs know their crossings by points so far.
   void collect_edge_crossings()
   {
     m_result.edge_crossings.resize(surface().number_of_edges());
+    m_result.crossing_parameters.resize(surface().number_of_edges());
+    std::vector<int> position_of_point(m_halfedge_of_point.size(), -1);
     for (int e = 0; e < surface().number_of_edges(); ++e)
       for (int p : m_chords.order().points(e))
-        if (m_halfedge_of_point[p] >= 0)
+        if (m_halfedge_of_point[p] >= 0) {
+          position_of_point[p] = int(m_result.edge_crossings[e].size());
           m_result.edge_crossings[e].push_back(m_halfedge_of_point[p]);
+          m_result.crossing_parameters[e].push_back(m_chords.order().t(p));
+        }
+    for (auto& crossings : m_result.arc_crossings)
+      for (T_mesh::Crossing& c : crossings)
+        c.position = position_of_point[c.position];
   }
 
   const Surface& surface() const { return *m_result.surface_pointer; }

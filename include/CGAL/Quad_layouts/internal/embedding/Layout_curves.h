@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_LAYOUT_CURVES_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_LAYOUT_CURVES_H
+
+#include <CGAL/Quad_layouts/Quad_layout.h>
+#include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/embedding/Embedded_layout.h>
+#include <CGAL/Quad_layouts/internal/embedding/Grid_lines.h>
+#include <CGAL/Quad_layouts/internal/embedding/Quantized_overlay.h>
+#include <CGAL/Quad_layouts/internal/embedding/preimages.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Embeds a layout: chooses a vertex of the mesh for each vertex of the layout and a path of edges
+// for each of its edges, such that no two meet elsewhere.
+//
+// Away from the preimages of the layout vertices, a layout edge follows one of the arcs that are
+// mapped to it. The preimage of a layout vertex has a neighbourhood that is a disc: inside, the
+// edges go to one vertex in the middle. That is always possible, because paths to a common point
+// never separate a disc into parts that are out of its reach, as long as the mesh has room beside
+// them: which splits make.
+class Layout_curves
+{
+public:
+  Layout_curves(const T_mesh& t_mesh, const Quad_layout& layout)
+    : m_t_mesh(t_mesh), m_layout(layout)
+  {
+    Quantized_overlay overlay(t_mesh, layout);
+    Grid_lines{overlay};
+    m_owner = preimages(overlay);
+    m_place.resize(m_owner.size());
+    std::transform(m_owner.begin(), m_owner.end(), m_place.begin(),
+                   [](int v) { return v >= 0 ? INSIDE : OUTSIDE; });
+    choose_vertices();
+    choose_curves(overlay);
+    std::vector<char> is_contracted(overlay.mesh().number_of_halfedges());
+    for (int h = 0; h < int(is_contracted.size()); ++h)
+      is_contracted[h] = overlay.is_contracted(h);
+    m_mesh = overlay.release_mesh();
+    m_mesh.curve = m_curve;
+    separate_preimages(is_contracted);
+    make_rims();
+    find_exits();
+    for (int v = 0; v < layout.number_of_vertices(); ++v)
+      connect(v);
+    separate_curves();
+  }
+
+  // to be called once
+  Embedded_layout result() { return {std::move(m_mesh), std::move(m_vertex)}; }
+
+private:
+  // of a vertex of the mesh: in the disc around a preimage, on the boundary of that disc, or on a
+  // path in it
+  enum Place : char { OUTSIDE, INSIDE, RIM, PATH };
+
+  // A node that is a singularity is preferred, and must be where the layout vertex is irregular.
+  void choose_vertices()
+  {
+    m_vertex.assign(m_layout.number_of_vertices(), -1);
+    for (int v = int(m_owner.size()) - 1; v >= 0; --v)
+      if (m_owner[v] >= 0)
+        m_vertex[m_owner[v]] = v;
+    for (const Quad_layout::Cluster& c : m_layout.clusters) {
+      const int node = *std::max_element(c.nodes.begin(), c.nodes.end(), [&](int m, int n) {
+        return std::abs(m_t_mesh.index(m)) < std::abs(m_t_mesh.index(n));
+      });
+      m_vertex[c.vertex] = m_t_mesh.surface_vertex(node);
+    }
+  }
+
+  // Of all arcs that are mapped to a layout edge, the longest is chosen.
+  void choose_curves(const Quantized_overlay& overlay)
+  {
+    using Unit = std::pair<int, int>; // arc, number along the arc
+    std::vector<std::pair<double, Unit>> longest(m_layout.number_of_edges(), {-1, {-1, -1}});
+    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a) {
+      const std::vector<int>& path = m_layout.arc_halfedges[a];
+      for (int i = 0; i < int(path.size()); ++i) {
+        auto& unit = longest[path[i] / 2];
+        unit = (std::max)(unit, {m_t_mesh.length(a) / double(path.size()), {a, i}});
+      }
+    }
+    m_curve.assign(overlay.mesh().number_of_halfedges(), -1);
+    for (int h = 0; h < int(m_curve.size()); ++h)
+      if (const int l = overlay.layout_halfedge(h);
+          l >= 0 && (!overlay.is_arc(h) || overlay.unit(h) == longest[l / 2].second))
+        m_curve[h] = l;
+  }
+
+  int split(int h, Place place, int owner)
+  {
+    m_owner.push_back(owner);
+    m_place.push_back(place);
+    return m_mesh.split(h);
+  }
+
+  bool is_inside(int v) const { return m_place[v] == INSIDE; }
+
+  // splits the edges between vertices of preimages that are no parts of preimages themselves
+  void separate_preimages(const std::vector<char>& is_contracted)
+  {
+    std::vector<std::pair<int, int>> edges;
+    for (int h = 0; h < int(is_contracted.size()); ++h)
+      if (h < m_mesh.opposite(h) && is_inside(m_mesh.source(h)) && is_inside(m_mesh.target(h)) &&
+          !is_contracted[h] && !is_contracted[m_mesh.opposite(h)])
+        edges.emplace_back(m_mesh.source(h), m_mesh.target(h));
+    for (const auto& [u, v] : edges)
+      split(m_mesh.halfedge_between(u, v), OUTSIDE, -1);
+  }
+
+  // splits the edges that leave preimages
+  void make_rims()
+  {
+    const int n = int(m_place.size());
+    for (int v = 0; v < n; ++v)
+      if (is_inside(v))
+        for (int h = leaving(v); h >= 0; h = leaving(v))
+          split(h, RIM, m_owner[v]);
+  }
+
+  int leaving(int v) const
+  {
+    for (const int h : m_mesh.outgoing(v))
+      if (m_owner[m_mesh.target(h)] != m_owner[v])
+        return h;
+    return -1;
+  }
+
+  // The curves begin on the rims for now.
+  void find_exits()
+  {
+    m_exit.assign(m_layout.number_of_halfedges(), -1);
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.curve[h] >= 0 && is_inside(m_mesh.source(h))) {
+        m_exit[m_mesh.curve[h]] = m_mesh.target(h);
+        m_mesh.curve[m_mesh.opposite(h)] = m_mesh.curve[h] = -1;
+      }
+  }
+
+  // leads all layout edges at layout vertex v from the rim to the middle
+  void connect(int v)
+  {
+    m_place[m_vertex[v]] = PATH;
+    make_room({m_vertex[v]});
+    const int first = m_layout.halfedge_from(v);
+    int l = first;
+    do {
+      const std::vector<int> path = path_to(m_vertex[v], m_exit[l], v);
+      std::vector<int> vertices{m_vertex[v]};
+      for (const int h : path) {
+        m_mesh.curve[h] = l;
+        m_mesh.curve[m_mesh.opposite(h)] = l ^ 1;
+        vertices.push_back(m_mesh.target(h));
+        m_place[vertices.back()] = PATH;
+      }
+      make_room(vertices);
+      l = m_layout.turn_left(l);
+    } while (l != first);
+  }
+
+  // the halfedges of a shortest path through free vertices of the disc
+  std::vector<int> path_to(int from, int to, int v)
+  {
+    m_reached_by.resize(m_place.size(), -1);
+    std::vector<int> queue{from}, path;
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const int h : m_mesh.outgoing(queue[i]))
+        if (const int w = m_mesh.target(h);
+            m_reached_by[w] < 0 && (w == to || (is_inside(w) && m_owner[w] == v))) {
+          m_reached_by[w] = h;
+          queue.push_back(w);
+        }
+    if (to < 0 || m_reached_by[to] < 0)
+      throw Stage_failure("embed: layout vertex " + std::to_string(v) + " cannot be connected");
+    for (int w = to; w != from; w = m_mesh.source(path.back()))
+      path.push_back(m_reached_by[w]);
+    std::reverse(path.begin(), path.end());
+    for (const int w : queue)
+      m_reached_by[w] = -1;
+    return path;
+  }
+
+  // splits all edges of the disc that end on a path: then there is a way along both its sides
+  void make_room(const std::vector<int>& path)
+  {
+    for (const int v : path)
+      for (const int w : neighbours(v)) {
+        const int h = m_mesh.halfedge_between(v, w);
+        const bool is_in_disc = m_owner[w] == m_owner[v] && !(is_on_rim(v) && is_on_rim(w));
+        if (h >= 0 && m_mesh.curve[h] < 0 && is_in_disc)
+          split(h, INSIDE, m_owner[v]);
+      }
+  }
+
+  bool is_on_rim(int v) const
+  {
+    if (m_place[v] == RIM)
+      return true;
+    for (const int h : m_mesh.outgoing(v))
+      if (m_owner[m_mesh.target(h)] != m_owner[v])
+        return true;
+    return false;
+  }
+
+  std::vector<int> neighbours(int v) const
+  {
+    std::vector<int> result;
+    for (const int h : m_mesh.outgoing(v))
+      result.push_back(m_mesh.target(h));
+    return result;
+  }
+
+  // splits edges that join two points of curves: no triangle shall have only such corners
+  void separate_curves()
+  {
+    std::vector<char> on_curve(m_mesh.points.size(), 0);
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.curve[h] >= 0)
+        on_curve[m_mesh.source(h)] = 1;
+    std::vector<std::pair<int, int>> edges;
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.curve[h] < 0 && h < m_mesh.opposite(h) && on_curve[m_mesh.source(h)] &&
+          on_curve[m_mesh.target(h)])
+        edges.emplace_back(m_mesh.source(h), m_mesh.target(h));
+    for (const auto& [u, v] : edges)
+      split(m_mesh.halfedge_between(u, v), OUTSIDE, -1);
+  }
+
+  const T_mesh& m_t_mesh;
+  const Quad_layout& m_layout;
+  Charted_mesh m_mesh{Triangle_surface()};
+  std::vector<int> m_curve;           // per halfedge of the mesh, before any split here
+  std::vector<int> m_owner;           // per vertex of the mesh the layout vertex in whose disc it is
+  std::vector<Place> m_place;         // per vertex of the mesh
+  std::vector<int> m_vertex;          // per layout vertex
+  std::vector<int> m_exit;            // per layout halfedge
+  std::vector<int> m_reached_by;      // scratch of `path_to`
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_LAYOUT_CURVES_H

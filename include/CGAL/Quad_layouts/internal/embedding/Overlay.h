@@ -1,0 +1,288 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_H
+
+#include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// The common refinement of a surface and a T-mesh on it, as a triangle mesh: every arc is a path of
+// edges, and every triangle lies in one triangle of the surface and in one patch.
+//
+// Only the order of crossings along edges and of edges around vertices is used: the pieces are the
+// faces of that rotation system. Pieces with more than three sides get a vertex inside.
+class Overlay
+{
+public:
+  // a place on the boundary of a patch: the given fraction of the way along a halfedge of the
+  // T-mesh, seen from its left; `halfedge` is -1 inside of patches
+  struct Place
+  {
+    int halfedge = -1;
+    double fraction = 0;
+  };
+
+  explicit Overlay(const T_mesh& t_mesh) : m_t_mesh(t_mesh), m_surface(t_mesh.surface())
+  {
+    number_vertices();
+    number_halves();
+    order_around_crossings();
+    order_around_nodes();
+    order_around_surface_vertices();
+    for (int v = 0; v < int(m_outgoing.size()); ++v)
+      for (int i = 0; i < int(m_outgoing[v].size()); ++i) {
+        m_half[m_outgoing[v][i]].source = v;
+        m_half[m_outgoing[v][i]].slot = i;
+      }
+    make_pieces();
+    spread_patches();
+  }
+
+  std::vector<Point> points; // those of the surface first
+  std::vector<std::array<int, 3>> triangles;
+  // per halfedge of the triangles
+  std::vector<int> arc_halfedge; // of the T-mesh that it runs along, or -1
+  std::vector<char> is_original; // whether it is part of an edge of the surface
+  std::vector<Place> place;      // of the corner at its source
+  std::vector<int> patch;        // per triangle
+
+private:
+  // a directed piece of an edge or an arc; that in the other direction has the number that differs
+  // in the last bit
+  struct Half
+  {
+    int source = -1, slot = -1, arc_halfedge = -1;
+    bool is_original = false;
+    Place place; // of the corner on its left at its source
+  };
+
+  void number_vertices()
+  {
+    points = m_surface.points();
+    for (int e = 0; e < m_surface.number_of_edges(); ++e) {
+      const int h = m_surface.halfedge_of_edge(e);
+      m_first_crossing.push_back(int(points.size()));
+      for (const double t : m_t_mesh.crossing_parameters[e])
+        points.push_back((1 - t) * m_surface.point(m_surface.source(h)) +
+                         t * m_surface.point(m_surface.target(h)));
+    }
+    for (int n = 0; n < m_t_mesh.number_of_vertices(); ++n) {
+      m_node_vertex.push_back(m_t_mesh.surface_vertex(n));
+      if (m_node_vertex[n] < 0) {
+        m_node_vertex[n] = int(points.size());
+        points.push_back(m_t_mesh.point(n));
+      }
+    }
+    m_outgoing.resize(points.size());
+  }
+
+  int number_of_crossings(int e) const { return int(m_t_mesh.edge_crossings[e].size()); }
+  int number_of_pieces(int arc) const { return int(m_t_mesh.arc_crossings[arc].size()) + 1; }
+
+  void number_halves()
+  {
+    int n = 0;
+    for (int e = 0; e < m_surface.number_of_edges(); ++e) {
+      m_first_of_edge.push_back(n);
+      n += 2 * (number_of_crossings(e) + 1);
+    }
+    const int number_of_originals = n;
+    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a) {
+      m_first_of_arc.push_back(n);
+      n += 2 * number_of_pieces(a);
+    }
+    m_half.resize(n);
+    for (int h = 0; h < number_of_originals; ++h)
+      m_half[h].is_original = true;
+    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
+      for (int i = 0; i < 2 * number_of_pieces(a); ++i)
+        m_half[m_first_of_arc[a] + i].arc_halfedge = 2 * a + i % 2;
+  }
+
+  // the first piece of a halfedge of the surface
+  int first_half(int h) const
+  {
+    const int e = m_surface.edge(h);
+    return m_surface.halfedge_of_edge(e) == h ? m_first_of_edge[e]
+                                              : m_first_of_edge[e] + 2 * number_of_crossings(e) + 1;
+  }
+  // the first piece of a halfedge of the T-mesh
+  int first_half_of_arc(int h) const
+  {
+    return h % 2 == 0 ? m_first_of_arc[h / 2]
+                      : m_first_of_arc[h / 2] + 2 * number_of_pieces(h / 2) - 1;
+  }
+
+  void order_around_crossings()
+  {
+    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
+      for (int i = 0; i + 1 < number_of_pieces(a); ++i)
+        order_around_crossing(a, i);
+  }
+
+  void order_around_crossing(int a, int i)
+  {
+    const T_mesh::Crossing& c = m_t_mesh.arc_crossings[a][i];
+    const int e = m_surface.edge(c.halfedge), along = m_first_of_edge[e] + 2 * c.position;
+    const int forward = m_first_of_arc[a] + 2 * (i + 1), backward = m_first_of_arc[a] + 2 * i + 1;
+    const bool enters_left = m_surface.halfedge_of_edge(e) == c.halfedge;
+    const int left = enters_left ? forward : backward, right = enters_left ? backward : forward;
+    m_outgoing[m_first_crossing[e] + c.position] = {along + 2, left, along + 1, right};
+    const double fraction = double(i + 1) / number_of_pieces(a);
+    const Place ahead{2 * a, fraction}, behind{2 * a + 1, 1 - fraction};
+    const Place left_of_left = enters_left ? ahead : behind;
+    const Place right_of_left = enters_left ? behind : ahead;
+    CGAL_assertion(left_of_left.halfedge == m_t_mesh.edge_crossings[e][c.position]);
+    m_half[along + 2].place = m_half[right].place = right_of_left;
+    m_half[left].place = m_half[along + 1].place = left_of_left;
+  }
+
+  void order_around_nodes()
+  {
+    for (int n = 0; n < m_t_mesh.number_of_vertices(); ++n) {
+      if (m_t_mesh.surface_vertex(n) >= 0)
+        continue;
+      const int first = m_t_mesh.halfedge_from(n);
+      int h = first;
+      do {
+        leave_along_arc(m_node_vertex[n], h);
+        h = m_t_mesh.turn_left(h);
+      } while (h != first);
+    }
+  }
+
+  void leave_along_arc(int v, int h)
+  {
+    m_outgoing[v].push_back(first_half_of_arc(h));
+    m_half[first_half_of_arc(h)].place = {h, 0.};
+  }
+
+  void order_around_surface_vertices()
+  {
+    for (int v = 0; v < m_surface.number_of_vertices(); ++v) {
+      int last_arc = -1;
+      m_surface.for_each_outgoing(v, [&](int h) {
+        if (!m_t_mesh.corner_arcs[h].empty())
+          last_arc = m_t_mesh.corner_arcs[h].back();
+      });
+      m_surface.for_each_outgoing(v, [&](int h) {
+        m_outgoing[v].push_back(first_half(h));
+        m_half[first_half(h)].place = {last_arc, 0.};
+        for (const int arc : m_t_mesh.corner_arcs[h]) {
+          leave_along_arc(v, arc);
+          last_arc = arc;
+        }
+      });
+    }
+  }
+
+  // pieces lie on the left: what arrives goes on along the next one clockwise
+  int next(int half) const
+  {
+    const Half& twin = m_half[half ^ 1];
+    const std::vector<int>& around = m_outgoing[twin.source];
+    return around[(twin.slot + around.size() - 1) % around.size()];
+  }
+
+  void make_pieces()
+  {
+    std::vector<char> done(m_half.size(), 0);
+    for (int first = 0; first < int(m_half.size()); ++first) {
+      if (done[first])
+        continue;
+      std::vector<int> piece;
+      for (int h = first; !done[h]; h = next(h)) {
+        done[h] = 1;
+        piece.push_back(h);
+      }
+      if (piece.size() == 3)
+        add_triangle(piece);
+      else
+        add_star(piece);
+    }
+  }
+
+  void add_corner(const Half& half)
+  {
+    triangles.back()[arc_halfedge.size() % 3] = half.source;
+    arc_halfedge.push_back(half.arc_halfedge);
+    is_original.push_back(half.is_original);
+    place.push_back(half.place);
+  }
+
+  void add_triangle(const std::vector<int>& piece)
+  {
+    triangles.emplace_back();
+    for (const int h : piece)
+      add_corner(m_half[h]);
+  }
+
+  void add_star(const std::vector<int>& piece)
+  {
+    Half center;
+    center.source = int(points.size());
+    Point sum(0, 0, 0);
+    for (const int h : piece)
+      sum += points[m_half[h].source];
+    points.push_back(sum / double(piece.size()));
+    for (const int h : piece) {
+      Half spoke = m_half[next(h)];
+      spoke.arc_halfedge = -1;
+      spoke.is_original = false;
+      triangles.emplace_back();
+      add_corner(m_half[h]);
+      add_corner(spoke);
+      add_corner(center);
+    }
+  }
+
+  // Triangles beside an arc know their patch; the others have that of their neighbours.
+  void spread_patches()
+  {
+    const Triangle_surface overlay(points, triangles);
+    patch.assign(triangles.size(), -1);
+    std::vector<int> stack;
+    for (int h = 0; h < int(place.size()); ++h)
+      if (place[h].halfedge >= 0 && patch[h / 3] < 0) {
+        patch[h / 3] = m_t_mesh.face(place[h].halfedge);
+        stack.push_back(h / 3);
+      }
+    while (!stack.empty()) {
+      const int f = stack.back();
+      stack.pop_back();
+      for (int h = 3 * f; h < 3 * f + 3; ++h)
+        if (const int g = overlay.opposite(h) / 3; arc_halfedge[h] < 0) {
+          CGAL_assertion(patch[g] < 0 || patch[g] == patch[f]);
+          if (patch[g] < 0) {
+            patch[g] = patch[f];
+            stack.push_back(g);
+          }
+        }
+    }
+  }
+
+  const T_mesh& m_t_mesh;
+  const Triangle_surface& m_surface;
+  std::vector<int> m_first_crossing, m_node_vertex, m_first_of_edge, m_first_of_arc;
+  std::vector<std::vector<int>> m_outgoing; // per vertex, counter-clockwise
+  std::vector<Half> m_half;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_REDUCTION_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_REDUCTION_H
+
+#include <CGAL/Quad_layouts/internal/embedding/Embedded_layout.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// Removes from the overlay of a surface and a T-mesh the vertices that are needed for neither the
+// surface nor the curves on it, by half-edge collapses.
+//
+// The mesh remains a refinement of the surface: vertices on edges of the surface move along these,
+// vertices on curves along those, others stay in their face of the surface. As everywhere, no edge
+// other than those of the curves joins two vertices of curves.
+class Overlay_reduction
+{
+public:
+  // the first `number_of_originals` vertices are those of the surface
+  Overlay_reduction(Embedded_layout& embedded, int number_of_originals)
+    : m_mesh(embedded.mesh), m_is_held(m_mesh.points.size(), 0),
+      m_on_curve(m_mesh.points.size(), 0), m_seen_from(m_mesh.points.size(), -1)
+  {
+    std::fill_n(m_is_held.begin(), number_of_originals, 1);
+    for (const int v : embedded.vertices)
+      m_is_held[v] = 1;
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.curve[h] >= 0)
+        m_on_curve[m_mesh.source(h)] = 1;
+    while (remove_some())
+      ;
+    const std::vector<int> new_number = m_mesh.compact();
+    for (int& v : embedded.vertices)
+      v = new_number[v];
+  }
+
+private:
+  bool remove_some()
+  {
+    bool any = false;
+    for (int u = 0; u < int(m_is_held.size()); ++u)
+      if (!m_is_held[u] && !m_mesh.is_removed(u))
+        if (const int h = best_collapse(u); h >= 0) {
+          m_mesh.collapse(h);
+          any = true;
+        }
+    return any;
+  }
+
+  // the halfedge along which u should go, -1 if it has to stay
+  int best_collapse(int u)
+  {
+    m_lines.clear();
+    m_normal.setZero();
+    m_mesh.for_each_outgoing(u, [&](int h) {
+      if (is_line(h))
+        m_lines.push_back(h);
+      m_normal += normal(u, h);
+    });
+    if (m_lines.size() == 2 && is_same_line(m_lines[0], m_lines[1]))
+      return better(m_lines[0], m_lines[1]);
+    return m_lines.empty() ? best_of_all(u) : -1;
+  }
+
+  int better(int h, int g)
+  {
+    const double of_h = quality_without(h), of_g = quality_without(g);
+    return (std::max)(of_h, of_g) == forbidden ? -1 : of_h >= of_g ? h : g;
+  }
+
+  int best_of_all(int u)
+  {
+    int best = -1;
+    double quality = forbidden;
+    m_mesh.for_each_outgoing(u, [&](int h) {
+      if (const double q = quality_without(h); q > quality) {
+        quality = q;
+        best = h;
+      }
+    });
+    return best;
+  }
+
+  bool is_line(int h) const { return m_mesh.is_original[h] || m_mesh.curve[h] >= 0; }
+  bool is_same_line(int h, int g) const
+  {
+    return m_mesh.is_original[h] == m_mesh.is_original[g] &&
+           (m_mesh.curve[h] >= 0) == (m_mesh.curve[g] >= 0);
+  }
+
+  static constexpr double forbidden = -(std::numeric_limits<double>::infinity)();
+
+  // The quality of the worst triangle that remains after the collapse of h, 1 for an equilateral
+  // one; -1 if one of them would be inverted. Triangles without area have no direction.
+  double quality_without(int h)
+  {
+    if (!keeps_manifold(h) || adds_chord(h))
+      return forbidden;
+    double worst = 1;
+    const int u = m_mesh.source(h), v = m_mesh.target(h);
+    m_mesh.for_each_outgoing(u, [&](int g) {
+      const int end = Charted_mesh::prev(g);
+      if (m_mesh.target(g) == v || m_mesh.source(end) == v)
+        return;
+      const Point n = normal(v, g);
+      const double area = n.norm(), longest = squared_length(v, g);
+      if (area > 1e-9 * longest && n.dot(m_normal) < 0.5 * area * m_normal.norm())
+        worst = forbidden;
+      worst = (std::min)(worst, longest > 0 ? area / longest : 0.);
+    });
+    return worst;
+  }
+
+  // twice the area of the triangle of g with its first corner at p, as a vector
+  Point normal(int p, int g) const
+  {
+    const Point &a = m_mesh.points[m_mesh.target(g)],
+                &b = m_mesh.points[m_mesh.source(Charted_mesh::prev(g))];
+    return (a - m_mesh.points[p]).cross(b - m_mesh.points[p]);
+  }
+
+  // of the longest side of that triangle
+  double squared_length(int p, int g) const
+  {
+    const Point &a = m_mesh.points[m_mesh.target(g)],
+                &b = m_mesh.points[m_mesh.source(Charted_mesh::prev(g))];
+    const Point& c = m_mesh.points[p];
+    return (std::max)({(a - c).squaredNorm(), (b - c).squaredNorm(), (b - a).squaredNorm()});
+  }
+
+  // the link condition
+  bool keeps_manifold(int h)
+  {
+    const int u = m_mesh.source(h), v = m_mesh.target(h);
+    int common = 0;
+    m_mesh.for_each_outgoing(u, [&](int g) { m_seen_from[m_mesh.target(g)] = u; });
+    m_mesh.for_each_outgoing(v, [&](int g) { common += m_seen_from[m_mesh.target(g)] == u; });
+    m_mesh.for_each_outgoing(u, [&](int g) { m_seen_from[m_mesh.target(g)] = -1; });
+    return common == 2;
+  }
+
+  // whether a new edge would join two curves
+  bool adds_chord(int h) const
+  {
+    if (m_mesh.curve[h] >= 0 || !m_on_curve[m_mesh.target(h)])
+      return false;
+    const int left = m_mesh.source(Charted_mesh::prev(h)),
+              right = m_mesh.source(Charted_mesh::prev(m_mesh.opposite(h)));
+    bool result = false;
+    m_mesh.for_each_outgoing(m_mesh.source(h), [&](int g) {
+      const int w = m_mesh.target(g);
+      result |= m_on_curve[w] && g != h && w != left && w != right;
+    });
+    return result;
+  }
+
+  Charted_mesh& m_mesh;
+  std::vector<char> m_is_held, m_on_curve; // per vertex
+  std::vector<int> m_seen_from;            // per vertex, scratch of `keeps_manifold`
+  std::vector<int> m_lines;                // at the present vertex
+  Point m_normal;                          // of the present vertex
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_REDUCTION_H

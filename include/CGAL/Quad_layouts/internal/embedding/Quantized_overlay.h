@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_QUANTIZED_OVERLAY_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_QUANTIZED_OVERLAY_H
+
+#include <CGAL/Quad_layouts/Quad_layout.h>
+#include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/embedding/Charted_mesh.h>
+#include <CGAL/Quad_layouts/internal/embedding/Overlay.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// The overlay of a surface and a T-mesh, with all arcs divided into the unit lengths that they have
+// in the quantization, and room for lines inside of patches.
+//
+// The curves of its mesh are the halfedges of the T-mesh, and lines inside of patches that are mapped
+// to halfedges of the layout or to points.
+class Quantized_overlay
+{
+public:
+  Quantized_overlay(const T_mesh& t_mesh, const Quad_layout& layout)
+    : m_t_mesh(t_mesh), m_layout(layout)
+  {
+    Overlay overlay(t_mesh);
+    m_mesh = Charted_mesh(Triangle_surface(overlay.points, overlay.triangles));
+    m_mesh.curve = std::move(overlay.arc_halfedge);
+    m_mesh.is_original = std::move(overlay.is_original);
+    m_patch = std::move(overlay.patch);
+    m_layout_vertex.assign(m_mesh.points.size(), -1);
+    m_along.assign(m_mesh.points.size(), 0);
+    m_is_node.assign(m_mesh.points.size(), 0);
+    place_on_arcs(overlay.place);
+    split_arcs();
+    list_arc_vertices();
+  }
+
+  const T_mesh& t_mesh() const { return m_t_mesh; }
+  const Quad_layout& layout() const { return m_layout; }
+  const Charted_mesh& mesh() const { return m_mesh; }
+  Charted_mesh release_mesh() { return std::move(m_mesh); }
+
+  // the patch of the T-mesh in which a triangle is
+  int patch(int face) const { return m_patch[face]; }
+  const Quad_layout::Grid& grid(int face) const { return m_layout.grids[m_patch[face]]; }
+
+  // the layout vertex to which v is mapped, as far as it is known; or -1
+  int layout_vertex(int v) const { return m_layout_vertex[v]; }
+  void set_layout_vertex(int v, int layout_vertex) { m_layout_vertex[v] = layout_vertex; }
+
+  bool is_arc(int h) const
+  {
+    return m_mesh.curve[h] >= 0 && m_mesh.curve[h] < m_t_mesh.number_of_halfedges();
+  }
+
+  // whether the edge of h is mapped to a point
+  bool is_contracted(int h) const
+  {
+    if (is_arc(h))
+      return length(m_mesh.curve[h]) == 0;
+    if (m_mesh.curve[h] >= 0)
+      return m_mesh.curve[h] == contracted();
+    return grid(h / 3).width == 0 && grid(h / 3).height == 0;
+  }
+
+  // the halfedge of the layout to which h is mapped, -1 if there is none
+  int layout_halfedge(int h) const
+  {
+    if (m_mesh.curve[h] < 0 || is_contracted(h))
+      return -1;
+    if (!is_arc(h))
+      return m_mesh.curve[h] - m_t_mesh.number_of_halfedges();
+    const auto [arc, i] = unit(h);
+    return m_layout.arc_halfedges[arc][i] ^ m_mesh.curve[h] % 2;
+  }
+
+  // the arc along which h runs, and which unit of it
+  std::pair<int, int> unit(int h) const
+  {
+    return {m_mesh.curve[h] / 2, int((along(h) + along(m_mesh.opposite(h))) / 2)};
+  }
+
+  // the vertices along a halfedge of the T-mesh
+  std::vector<int> vertices(int arc) const
+  {
+    std::vector<int> result = m_arc_vertices[arc / 2];
+    if (arc % 2 != 0)
+      std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+  // how many units from the start of a halfedge of the T-mesh a vertex inside of it lies
+  double distance(int arc, int v) const
+  {
+    return arc % 2 == 0 ? m_along[v] : length(arc) - m_along[v];
+  }
+
+  // splits an edge that is no arc
+  int split(int h)
+  {
+    add_vertex(h);
+    return m_mesh.split(h);
+  }
+
+  // lets h run along a halfedge of the layout, or to a point if that is -1
+  void set_line(int h, int layout_halfedge)
+  {
+    const int twin = m_mesh.opposite(h), first = m_t_mesh.number_of_halfedges();
+    m_mesh.curve[h] = layout_halfedge < 0 ? contracted() : first + layout_halfedge;
+    m_mesh.curve[twin] = layout_halfedge < 0 ? contracted()
+                                             : first + Quad_layout::opposite(layout_halfedge);
+  }
+
+  // of a halfedge of the T-mesh, in units
+  int length(int h) const { return int(m_layout.arc_halfedges[h / 2].size()); }
+
+private:
+  int contracted() const { return m_t_mesh.number_of_halfedges() + m_layout.number_of_halfedges(); }
+
+  // how far along its arc, from the arc's start, the source of a piece h of an arc lies
+  double along(int h) const
+  {
+    const int arc = m_mesh.curve[h], v = m_mesh.source(h);
+    if (m_is_node[v])
+      return arc % 2 == 0 ? 0 : length(arc);
+    return m_along[v];
+  }
+
+  void place_on_arcs(const std::vector<Overlay::Place>& place)
+  {
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (place[h].halfedge >= 0 && place[h].fraction == 0) {
+        m_is_node[m_mesh.source(h)] = 1;
+        m_layout_vertex[m_mesh.source(h)] =
+            m_layout.node_vertex[m_t_mesh.source(place[h].halfedge)];
+      } else if (place[h].halfedge >= 0 && place[h].halfedge % 2 == 0)
+        place_on_arc(m_mesh.source(h), place[h].halfedge / 2,
+                     place[h].fraction * length(place[h].halfedge));
+  }
+
+  void place_on_arc(int v, int arc, double along)
+  {
+    const std::vector<int>& path = m_layout.arc_halfedges[arc];
+    m_along[v] = along;
+    if (path.empty())
+      m_layout_vertex[v] = m_layout.node_vertex[m_t_mesh.source(2 * arc)];
+    else if (along == std::floor(along))
+      m_layout_vertex[v] = m_layout.source(path[int(along)]);
+  }
+
+  void add_vertex(int h)
+  {
+    m_patch.push_back(m_patch[h / 3]);
+    m_patch.push_back(m_patch[m_mesh.opposite(h) / 3]);
+    m_layout_vertex.push_back(-1);
+    m_along.push_back(0);
+    m_is_node.push_back(0);
+  }
+
+  // splits the arcs at all integers
+  void split_arcs()
+  {
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.curve[h] >= 0 && m_mesh.curve[h] % 2 == 0)
+        for (double next = std::floor(along(h)) + 1; next < along(m_mesh.opposite(h));
+             next = std::floor(along(h)) + 1) {
+          const double t = (next - along(h)) / (along(m_mesh.opposite(h)) - along(h));
+          add_vertex(h);
+          place_on_arc(m_mesh.split(h, t), m_mesh.curve[h] / 2, next);
+        }
+  }
+
+  void list_arc_vertices()
+  {
+    m_arc_vertices.resize(m_t_mesh.number_of_edges());
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.curve[h] >= 0 && m_mesh.curve[h] % 2 == 0 && m_is_node[m_mesh.source(h)])
+        list_arc_vertices(h);
+  }
+
+  void list_arc_vertices(int h)
+  {
+    const int arc = m_mesh.curve[h];
+    std::vector<int>& result = m_arc_vertices[arc / 2];
+    result = {m_mesh.source(h), m_mesh.target(h)};
+    while (!m_is_node[result.back()])
+      m_mesh.for_each_outgoing(result.back(), [&](int g) {
+        if (m_mesh.curve[g] == arc)
+          result.push_back(m_mesh.target(g));
+      });
+  }
+
+  const T_mesh& m_t_mesh;
+  const Quad_layout& m_layout;
+  Charted_mesh m_mesh{Triangle_surface()};
+  std::vector<int> m_patch;         // per triangle
+  std::vector<int> m_layout_vertex; // per vertex
+  std::vector<double> m_along;      // per vertex inside of an arc: how far from the arc's start
+  std::vector<char> m_is_node;      // per vertex
+  std::vector<std::vector<int>> m_arc_vertices;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_QUANTIZED_OVERLAY_H
