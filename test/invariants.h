@@ -214,8 +214,28 @@ inline void check_position_on_surface(const T_mesh& t)
 }
 
 // Checks that a traced T-mesh partitions its surface into four-cornered patches.
+// every crossing of an arc and an edge is listed by both
+inline void check_crossings(const T_mesh& t)
+{
+  int of_arcs = 0, of_edges = 0, wrong = 0;
+  for (int a = 0; a < t.number_of_edges(); ++a)
+    for (const T_mesh::Crossing& c : t.arc_crossings[a]) {
+      ++of_arcs;
+      wrong += T_mesh::edge(t.edge_crossings[t.surface().edge(c.halfedge)][c.position]) != a;
+    }
+  for (int e = 0; e < t.surface().number_of_edges(); ++e) {
+    const std::vector<double>& parameters = t.crossing_parameters[e];
+    of_edges += int(t.edge_crossings[e].size());
+    wrong += parameters.size() != t.edge_crossings[e].size();
+    wrong += !std::is_sorted(parameters.begin(), parameters.end());
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(of_arcs == of_edges);
+}
+
 inline void check_t_mesh(const T_mesh& t)
 {
+  check_crossings(t);
   check_halfedge_complex(t);
   check_patches(t);
   check_nodes(t);

@@ -115,8 +115,10 @@ public:
     m_vertex_halfedge[m_source[m_opposite[next(twin)]]] = m_opposite[next(twin)];
     close(next(twin), prev(twin));
     for (const int g : {3 * (h / 3), 3 * (twin / 3)})
-      for (int k = 0; k < 3; ++k)
-        m_source[g + k] = -1;
+      for (int k = 0; k < 3; ++k) {
+        m_source[g + k] = curve[g + k] = -1;
+        is_original[g + k] = 0;
+      }
   }
 
   // gives new numbers, in the old order, to the vertices and faces that are left; returns the new

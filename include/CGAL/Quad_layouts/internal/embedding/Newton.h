@@ -14,6 +14,8 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -81,7 +83,7 @@ public:
       return before;
     const Eigen::VectorXd move = m_solver.solve(-m_gradient);
     const std::vector<Point2> start = m_map.coordinates;
-    for (double length = 1; length > 1e-6; length /= 2) {
+    for (double length = longest_step(move); length > 1e-6; length /= 2) {
       go(start, move, length);
       const double after = value();
       if (after < before)
@@ -92,6 +94,36 @@ public:
   }
 
 private:
+  // Steps end before the first triangle loses its area (Smith and Schaefer 2015): beyond, all could
+  // be positive again, but wind about a vertex twice.
+  double longest_step(const Eigen::VectorXd& move) const
+  {
+    double longest = 1;
+    for (const Map::Face& face : m_map.faces) {
+      const std::array<Point2, 3> x = m_map.corners(face);
+      std::array<Point2, 3> d;
+      for (int k = 0; k < 3; ++k)
+        d[k] = Chart_change::turned(move_of(face.vertex[k], move), face.chart[k].quarter_turns);
+      longest = (std::min)(longest, 0.9 * first_root(x[1] - x[0], x[2] - x[0], d[1] - d[0], d[2] - d[0]));
+    }
+    return longest;
+  }
+
+  static double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+  // the least positive t at which a + t da and b + t db are parallel, infinite if there is none
+  static double first_root(const Point2& a, const Point2& b, const Point2& da, const Point2& db)
+  {
+    const double c0 = cross(a, b), c1 = cross(a, db) + cross(da, b), c2 = cross(da, db);
+    const double discriminant = c1 * c1 - 4 * c0 * c2;
+    if (discriminant < 0)
+      return (std::numeric_limits<double>::infinity)();
+    // c0 is positive, so the roots are 2 c0 / (-c1 +- sqrt(discriminant)), of which the larger
+    // denominator belongs to the least positive one
+    const double denominator = std::sqrt(discriminant) - c1;
+    return denominator > 0 ? 2 * c0 / denominator : (std::numeric_limits<double>::infinity)();
+  }
+
   void assemble()
   {
     const int n = 2 * m_number_of_unknowns;
@@ -154,11 +186,15 @@ private:
         m_entries.emplace_back(row + i, column + j, turned(i, j));
   }
 
+  Point2 move_of(int v, const Eigen::VectorXd& move) const
+  {
+    return m_unknown[v] < 0 ? Point2(0, 0) : Point2(move.segment<2>(2 * m_unknown[v]));
+  }
+
   void go(const std::vector<Point2>& start, const Eigen::VectorXd& move, double length)
   {
     for (std::size_t v = 0; v < m_unknown.size(); ++v)
-      if (m_unknown[v] >= 0)
-        m_map.coordinates[v] = start[v] + length * move.segment<2>(2 * m_unknown[v]);
+      m_map.coordinates[v] = start[v] + length * move_of(int(v), move);
   }
 
   Map& m_map;

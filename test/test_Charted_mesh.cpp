@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE Charted_mesh
+#include <boost/test/unit_test.hpp>
+
+#include "generated_meshes.h"
+
+#include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/internal/embedding/Charted_mesh.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace QL = CGAL::Quad_layouts;
+using QL::internal::Charted_mesh;
+using QL::internal::Triangle_surface;
+
+namespace {
+
+Charted_mesh charted(const generated::Mesh& mesh)
+{
+  return Charted_mesh(QL::compute_cross_field(mesh).surface());
+}
+
+int common_neighbours(const Charted_mesh& mesh, int u, int v)
+{
+  int result = 0;
+  for (const int g : mesh.outgoing(u))
+    result += mesh.halfedge_between(v, mesh.target(g)) >= 0;
+  return result;
+}
+
+// checks what `Triangle_surface` does not, and lets it check the rest
+void check(const Charted_mesh& mesh)
+{
+  const Triangle_surface surface(mesh.points, mesh.triangles());
+  int wrong = 0;
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
+    wrong += mesh.opposite(mesh.opposite(h)) != h;
+    wrong += surface.opposite(h) != mesh.opposite(h);
+    wrong += mesh.is_original[h] != mesh.is_original[mesh.opposite(h)];
+    wrong += (mesh.curve[h] < 0) != (mesh.curve[mesh.opposite(h)] < 0);
+  }
+  for (int v = 0; v < int(mesh.points.size()); ++v)
+    for (const int h : mesh.outgoing(v))
+      wrong += mesh.source(h) != v;
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(surface.number_of_vertices() - surface.number_of_edges() + surface.number_of_faces() ==
+             2);
+}
+
+int number_of_marks(const Charted_mesh& mesh)
+{
+  return int(std::count(mesh.is_original.begin(), mesh.is_original.end(), 1));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(splits_keep_marks_and_charts)
+{
+  Charted_mesh mesh = charted(generated::icosphere(2));
+  std::mt19937 random(1);
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    mesh.is_original[h] = 1;
+  const int marks = number_of_marks(mesh);
+  for (int i = 0; i < 500; ++i) {
+    const int h = int(random() % unsigned(mesh.number_of_halfedges()));
+    const int added = mesh.is_original[h] ? 2 : 0, before = number_of_marks(mesh);
+    const int m = mesh.split(h, 0.25);
+    BOOST_TEST(m == int(mesh.points.size()) - 1);
+    BOOST_TEST(mesh.outgoing(m).size() == 4u);
+    BOOST_TEST(number_of_marks(mesh) == before + added);
+  }
+  BOOST_TEST(number_of_marks(mesh) > marks);
+  check(mesh);
+}
+
+BOOST_AUTO_TEST_CASE(collapses_undo_splits)
+{
+  Charted_mesh mesh = charted(generated::icosphere(2));
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    mesh.is_original[h] = 1;
+  const Charted_mesh before = mesh;
+  const int vertices = int(mesh.points.size());
+  for (int h = 0; h < 100; ++h)
+    if (mesh.is_original[h])
+      mesh.split(h);
+  // backwards, along one half of the edge that was split
+  for (int u = int(mesh.points.size()) - 1; u >= vertices; --u) {
+    const std::vector<int> around = mesh.outgoing(u);
+    const auto half = std::find_if(around.begin(), around.end(), [&](int h) {
+      return mesh.is_original[h] && mesh.target(h) < u && common_neighbours(mesh, u, mesh.target(h)) == 2;
+    });
+    BOOST_TEST_REQUIRE((half != around.end()));
+    mesh.collapse(*half);
+    BOOST_TEST(mesh.is_removed(u));
+  }
+  const std::vector<int> number = mesh.compact();
+  check(mesh);
+  BOOST_TEST((mesh.points == before.points));
+  BOOST_TEST(number_of_marks(mesh) == number_of_marks(before));
+  for (int v = 0; v < int(number.size()); ++v)
+    BOOST_TEST(number[v] == (v < vertices ? v : -1));
+}
+
+BOOST_AUTO_TEST_CASE(collapses_keep_curves)
+{
+  // a closed curve around a vertex
+  Charted_mesh mesh = charted(generated::icosphere(3));
+  for (const int h : mesh.outgoing(0)) {
+    mesh.curve[Charted_mesh::next(h)] = 0;
+    mesh.curve[mesh.opposite(Charted_mesh::next(h))] = 1;
+  }
+  const auto length = [&] {
+    return std::count(mesh.curve.begin(), mesh.curve.end(), 0);
+  };
+  const auto before = length();
+  const int outside = mesh.target(mesh.opposite(Charted_mesh::next(mesh.outgoing(0).front())));
+  // a vertex on the curve goes along it
+  for (const int h : mesh.outgoing(outside))
+    if (mesh.curve[h] >= 0 && common_neighbours(mesh, outside, mesh.target(h)) == 2) {
+      mesh.collapse(h);
+      break;
+    }
+  BOOST_TEST(length() == before - 1);
+  // so do vertices beside it, which hand the curve on to the faces behind
+  int moved = 0;
+  for (int v = 0; v < int(mesh.points.size()) && moved < 20; ++v) {
+    const std::vector<int> around = mesh.outgoing(v);
+    const bool is_beside = v != 0 && std::none_of(around.begin(), around.end(),
+                                                  [&](int h) { return mesh.curve[h] >= 0; });
+    for (const int h : around)
+      if (is_beside && !mesh.is_removed(v) && common_neighbours(mesh, v, mesh.target(h)) == 2) {
+        mesh.collapse(h);
+        ++moved;
+      }
+  }
+  mesh.compact();
+  check(mesh);
+  BOOST_TEST(moved == 20);
+  BOOST_TEST(length() == before - 1);
+  BOOST_TEST(length() == std::count(mesh.curve.begin(), mesh.curve.end(), 1));
+}

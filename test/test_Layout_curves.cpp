@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE Layout_curves
+#include <boost/test/unit_test.hpp>
+
+#include "embedding_cases.h"
+
+#include <CGAL/Quad_layouts/internal/embedding/Layout_curves.h>
+#include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
+#include <CGAL/Quad_layouts/internal/embedding/Square_charts.h>
+#include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
+
+#include <set>
+#include <vector>
+
+namespace QL = CGAL::Quad_layouts;
+using QL::Quad_layout;
+using QL::internal::Charted_mesh;
+using QL::internal::Embedded_layout;
+using QL::internal::Triangle_surface;
+
+namespace {
+
+// checks that the curves lead from vertex to vertex and meet nowhere else, and that no other edge
+// joins two of them
+void check_curves(const Embedded_layout& e, const Quad_layout& layout)
+{
+  const Charted_mesh& mesh = e.mesh;
+  std::vector<int> at(mesh.points.size(), 0); // number of halfedges of curves that leave a vertex
+  std::vector<int> pieces(layout.number_of_halfedges(), 0);
+  int wrong = 0;
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (mesh.curve[h] >= 0) {
+      ++at[mesh.source(h)];
+      ++pieces[mesh.curve[h]];
+      wrong += mesh.curve[mesh.opposite(h)] != Quad_layout::opposite(mesh.curve[h]);
+    }
+  for (int l = 0; l < layout.number_of_halfedges(); ++l) {
+    int v = e.vertices[layout.source(l)];
+    for (int i = 0; i < pieces[l]; ++i)
+      for (const int h : mesh.outgoing(v))
+        if (mesh.curve[h] == l) {
+          v = mesh.target(h);
+          break;
+        }
+    wrong += pieces[l] == 0 || v != e.vertices[layout.target(l)];
+  }
+  for (int v = 0; v < layout.number_of_vertices(); ++v)
+    at[e.vertices[v]] -= layout.valence(v) - 2;
+  for (const int n : at)
+    wrong += n != 0 && n != 2;
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    wrong += mesh.curve[h] < 0 && at[mesh.source(h)] > 0 && at[mesh.target(h)] > 0;
+  BOOST_TEST(wrong == 0);
+}
+
+// counts for each face of the layout the vertices and faces less the edges inside of its regions
+void check_regions(const Embedded_layout& e, const Quad_layout& layout)
+{
+  QL::internal::Disjoint_sets regions(e.mesh.number_of_faces());
+  for (int h = 0; h < e.mesh.number_of_halfedges(); ++h)
+    if (e.mesh.curve[h] < 0)
+      regions.union_set(h / 3, e.mesh.opposite(h) / 3);
+  std::vector<int> difference(e.mesh.number_of_faces(), 0), face(e.mesh.number_of_faces(), -1);
+  int wrong = 0;
+  for (int f = 0; f < e.mesh.number_of_faces(); ++f)
+    ++difference[regions.find_set(f)];
+  for (int h = 0; h < e.mesh.number_of_halfedges(); ++h) {
+    const int region = int(regions.find_set(h / 3));
+    if (e.mesh.curve[h] < 0 && h < e.mesh.opposite(h))
+      --difference[region];
+    if (e.mesh.curve[h] >= 0) {
+      const int f = layout.face(e.mesh.curve[h]);
+      wrong += face[region] >= 0 && face[region] != f;
+      face[region] = f;
+    }
+  }
+  for (int v = 0; v < int(e.mesh.points.size()); ++v) {
+    bool is_inside = true;
+    e.mesh.for_each_outgoing(v, [&](int h) { is_inside &= e.mesh.curve[h] < 0; });
+    if (is_inside)
+      ++difference[regions.find_set(e.mesh.outgoing(v).front() / 3)];
+  }
+  std::vector<int> seen(layout.number_of_faces(), 0);
+  for (int f = 0; f < e.mesh.number_of_faces(); ++f)
+    if (int(regions.find_set(f)) == f) {
+      wrong += difference[f] != 1 || face[f] < 0;
+      ++seen[face[f]];
+    }
+  for (const int n : seen)
+    wrong += n != 1;
+  BOOST_TEST(wrong == 0);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(layouts_are_drawn)
+{
+  for (const Embedding_case& c : embedding_cases())
+    BOOST_TEST_CONTEXT(c.name)
+    {
+      const Embedded_layout e = QL::internal::Layout_curves(c.t_mesh, c.layout).result();
+      const Triangle_surface surface(e.mesh.points, e.mesh.triangles()); // throws unless manifold
+      check_curves(e, c.layout);
+      check_regions(e, c.layout);
+      // singularities are at their vertices
+      for (const Quad_layout::Cluster& cluster : c.layout.clusters) {
+        bool is_member = false;
+        for (const int n : cluster.nodes)
+          is_member |= c.t_mesh.surface_vertex(n) == e.vertices[cluster.vertex];
+        BOOST_TEST(is_member);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(reduction_keeps_curves_and_surface)
+{
+  for (const Embedding_case& c : embedding_cases())
+    BOOST_TEST_CONTEXT(c.name)
+    {
+      Embedded_layout e = QL::internal::Layout_curves(c.t_mesh, c.layout).result();
+      const auto before = e.mesh.points.size();
+      const Triangle_surface& surface = c.t_mesh.surface();
+      QL::internal::Overlay_reduction(e, surface.number_of_vertices());
+      BOOST_TEST(e.mesh.points.size() < before);
+      check_curves(e, c.layout);
+      check_regions(e, c.layout);
+      for (int v = 0; v < surface.number_of_vertices(); ++v)
+        BOOST_TEST((e.mesh.points[v] == surface.point(v)));
+      // the edges of the surface are there, in pieces
+      double length = 0, expected = 0;
+      for (int h = 0; h < e.mesh.number_of_halfedges(); ++h)
+        if (e.mesh.is_original[h])
+          length += (e.mesh.points[e.mesh.target(h)] - e.mesh.points[e.mesh.source(h)]).norm();
+      for (int h = 0; h < surface.number_of_halfedges(); ++h)
+        expected += (surface.point(surface.target(h)) - surface.point(surface.source(h))).norm();
+      BOOST_TEST(length == expected, boost::test_tools::tolerance(1e-9));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(charts_close_around_regular_vertices)
+{
+  for (const Embedding_case& c : embedding_cases())
+    BOOST_TEST_CONTEXT(c.name)
+    {
+      Embedded_layout e = QL::internal::Layout_curves(c.t_mesh, c.layout).result();
+      const std::vector<int> length = QL::internal::chord_divisions(c.layout, 1);
+      QL::internal::Square_charts(e, c.layout, QL::internal::Layout_squares(c.layout, length));
+      std::vector<int> turns(e.mesh.points.size(), 0);
+      for (int v = 0; v < c.layout.number_of_vertices(); ++v)
+        turns[e.vertices[v]] = (4 - c.layout.valence(v)) & 3;
+      int wrong = 0;
+      for (int v = 0; v < int(e.mesh.points.size()); ++v) {
+        QL::internal::Chart_change around;
+        e.mesh.for_each_outgoing(v, [&](int h) {
+          around = e.mesh.transition[Charted_mesh::prev(h)].after(around);
+        });
+        wrong += around.quarter_turns != turns[v];
+        wrong += turns[v] == 0 && !around.translation.isZero(0);
+      }
+      BOOST_TEST(wrong == 0);
+    }
+}
