@@ -102,23 +102,30 @@ public:
   }
 
 private:
-  // Begins on a coarse mesh, then refines: that is faster, and triangles remain large in the map.
+  // Begins with as few triangles as there can be, where Tutte's method leaves all of them room; brings
+  // back vertices up to a coarse mesh, whose map is relaxed as a whole, and then the others.
   Map solve(const Embedded_layout& embedded, const std::vector<Cone>& cones) const
   {
     std::vector<char> is_cone(embedded.mesh.points.size(), 0);
     for (const Cone& c : cones)
       is_cone[c.vertex] = 1;
     Map map = make_map(embedded.mesh, is_cone, m_unit);
-    Vertex_removal levels(map, embedded.vertices);
-    levels.simplify(4000 + 10 * m_layout.number_of_faces());
-    Map coarse = levels.coarse_map();
-    Square_map(coarse, embedded.vertices, m_layout, m_squares);
+    Vertex_removal levels(map, embedded.vertices, is_cone);
+    levels.simplify(4000 + 6 * m_layout.number_of_faces());
+    const int removals_of_coarse_mesh = levels.number_of_removals();
+    levels.simplify(0);
+    m_monitor.report("embed", 0.4);
+    Map coarsest = levels.coarse_map();
+    Square_map(coarsest, embedded.vertices, m_layout, m_squares);
+    map.coordinates = std::move(coarsest.coordinates);
+    constexpr double wide = 0.5; // what is narrow on the surface may be wide in the map for now
+    restore(map, levels, removals_of_coarse_mesh, is_cone, m_monitor, wide);
     m_monitor.report("embed", 0.5);
+    Map coarse = levels.coarse_map();
     relax(coarse, is_cone, m_monitor);
     m_monitor.report("embed", 0.7);
     map.coordinates = std::move(coarse.coordinates);
-    if (!restore_all(map, levels, is_cone, m_monitor))
-      throw Stage_failure("embed: a removed vertex could not be brought back into the map");
+    restore(map, levels, 0, is_cone, m_monitor);
     m_monitor.report("embed", 0.9);
     sweep(map, levels, is_cone, m_monitor);
     return map;

@@ -22,7 +22,9 @@ namespace internal {
 class Vertex_neighbourhood
 {
 public:
-  Vertex_neighbourhood(const Map& map, int v, const std::vector<int>& star)
+  // `aspect`: as for `Rest_shape`
+  Vertex_neighbourhood(const Map& map, int v, const std::vector<int>& star,
+                       double aspect = Rest_shape::least_aspect)
   {
     for (const int f : star) {
       const Map::Face& face = map.faces[f];
@@ -30,7 +32,8 @@ public:
       const Chart_change to_vertex = face.chart[k].inverse();
       m_triangles.push_back(
           {to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
-           Rest_shape(map.points[v], map.points[face.vertex[a]], map.points[face.vertex[b]])});
+           Rest_shape(map.points[v], map.points[face.vertex[a]], map.points[face.vertex[b]],
+                      aspect)});
     }
   }
 

@@ -32,16 +32,18 @@ struct Removal
 // Simplifies the triangles of a map by half-edge collapses, and takes the collapses back.
 //
 // The curves of the map stay: their vertices move along them only, their ends not at all, and no
-// other edge ever joins two vertices of curves. Charts are carried along exactly, so that the
-// coordinates of any vertex that is present keep their meaning on every level.
+// other edge ever joins two vertices of curves. No vertex is removed into a cone: around one of more
+// than a full turn, its polygon could become so wide there that no place sees all of it. Charts are
+// carried along exactly, so that the coordinates of any vertex that is present keep their meaning on
+// every level.
 class Vertex_removal
 {
 public:
-  // `ends`: where curves end
-  Vertex_removal(Map& map, const std::vector<int>& ends)
-    : m_map(map), m_star(stars(map)), m_kind(map.points.size(), FREE),
+  // `ends`: where curves end, cones among them
+  Vertex_removal(Map& map, const std::vector<int>& ends, const std::vector<char>& is_cone)
+    : m_map(map), m_is_cone(is_cone), m_star(stars(map)), m_kind(map.points.size(), FREE),
       m_is_present(map.faces.size(), 1), m_number_of_faces(int(map.faces.size())),
-      m_is_queued(map.points.size(), 0)
+      m_is_queued(map.points.size(), 0), m_seen(map.points.size(), 0)
   {
     for (const Map::Face& f : map.faces)
       for (int k = 0; k < 3; ++k)
@@ -75,7 +77,7 @@ public:
     return result;
   }
 
-  bool is_complete() const { return m_removals.empty(); }
+  int number_of_removals() const { return int(m_removals.size()); }
 
   // brings back the vertex that was removed last and returns it; its coordinates are not set
   int restore()
@@ -147,7 +149,7 @@ private:
       return;
     Entry best(forbidden, u, -1);
     for (const int f : m_star[u]) {
-      const int v = m_map.faces[f].vertex[(m_map.faces[f].corner_of(u) + 1) % 3];
+      const int v = next_around(f, u);
       best = (std::min)(best, Entry(cost_of_collapse(u, v), u, v));
     }
     if (std::get<0>(best) == forbidden)
@@ -160,13 +162,13 @@ private:
   {
     std::vector<int> result;
     for (const int f : m_star[u])
-      result.push_back(m_map.faces[f].vertex[(m_map.faces[f].corner_of(u) + 1) % 3]);
+      result.push_back(next_around(f, u));
     return result;
   }
 
-  double cost_of_collapse(int u, int v) const
+  double cost_of_collapse(int u, int v)
   {
-    if (!keeps_curves(u, v) || !keeps_manifold(u, v))
+    if (m_is_cone[v] || !keeps_curves(u, v) || !keeps_manifold(u, v))
       return forbidden;
     const double change = m_care == NONE ? 0 : change_of_shape(u, v);
     return change == forbidden ? forbidden
@@ -189,22 +191,31 @@ private:
   }
 
   // checks the link condition, the valences, and that no new edge joins two curves
-  bool keeps_manifold(int u, int v) const
+  bool keeps_manifold(int u, int v)
   {
-    const std::vector<int> of_u = neighbours(u), of_v = neighbours(v);
-    if (std::find(of_u.begin(), of_u.end(), v) == of_u.end())
-      return false;
+    ++m_stamp;
+    for (const int f : m_star[v])
+      m_seen[next_around(f, v)] = m_stamp;
     int common = 0;
-    for (const int w : of_u) {
-      const bool is_common = std::find(of_v.begin(), of_v.end(), w) != of_v.end();
+    for (const int f : m_star[u]) {
+      const int w = next_around(f, u);
+      const bool is_common = m_seen[w] == m_stamp;
       common += is_common;
       if (is_common && m_star[w].size() < 5)
         return false;
       if (!is_common && w != v && m_kind[u] == FREE && m_kind[v] != FREE && m_kind[w] != FREE)
         return false;
     }
-    const std::size_t valence = of_u.size() + of_v.size() - 4;
-    return common == 2 && valence >= 4 && valence <= (std::max<std::size_t>)(11, of_v.size());
+    const std::size_t valence = m_star[u].size() + m_star[v].size() - 4;
+    return m_seen[u] == m_stamp && common == 2 && valence >= 4 &&
+           valence <= (std::max<std::size_t>)(11, m_star[v].size());
+  }
+
+  // the corner behind v in face f: a neighbour of v, and each of them just once
+  int next_around(int f, int v) const
+  {
+    const Map::Face& face = m_map.faces[f];
+    return face.vertex[(face.corner_of(v) + 1) % 3];
   }
 
   // how far the normals of the faces turn (0 to 1/2); forbidden if too far or the shapes suffer too
@@ -289,6 +300,7 @@ private:
   }
 
   Map& m_map;
+  const std::vector<char>& m_is_cone;   // per vertex
   std::vector<std::vector<int>> m_star; // per vertex its faces, in no order
   std::vector<Kind> m_kind;             // per vertex
   std::vector<char> m_is_present;       // per face
@@ -297,6 +309,8 @@ private:
   double m_longest = 0;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
   std::vector<char> m_is_queued; // per vertex
+  std::vector<int> m_seen;       // per vertex, scratch of `keeps_manifold`
+  int m_stamp = 0;
   std::vector<Removal> m_removals;
 };
 

@@ -7,11 +7,13 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_COARSE_TO_FINE_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_COARSE_TO_FINE_H
 
+#include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Newton.h>
 #include <CGAL/Quad_layouts/internal/embedding/Vertex_neighbourhood.h>
 #include <CGAL/Quad_layouts/internal/embedding/Vertex_removal.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,33 +46,34 @@ inline void relax(Map& map, const std::vector<char>& is_fixed, const Monitor& mo
   }
 }
 
-inline void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps)
+// `aspect`: as for `Rest_shape`
+inline void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps,
+                           double aspect = Rest_shape::least_aspect)
 {
-  const Vertex_neighbourhood neighbourhood(map, v, levels.star(v));
+  const Vertex_neighbourhood neighbourhood(map, v, levels.star(v), aspect);
   for (int i = 0; i < steps; ++i)
     neighbourhood.improve(map.coordinates[v]);
 }
 
-// Brings back all removed vertices, each at a place where no triangle gets inverted, and smooths
-// the map around it.
+// Brings back removed vertices until `left` are left, each at a place where no triangle gets
+// inverted, and smooths the map around it.
 //
 // Such a place exists: the vertex into which the removed one was collapsed sees the whole polygon.
-// Returns whether rounding let it be found for every vertex.
-inline bool restore_all(Map& map, Vertex_removal& levels, const std::vector<char>& is_fixed,
-                        const Monitor& monitor)
+// Throws if rounding hides it.
+inline void restore(Map& map, Vertex_removal& levels, int left, const std::vector<char>& is_fixed,
+                    const Monitor& monitor, double aspect = Rest_shape::least_aspect)
 {
-  for (int i = 0; !levels.is_complete(); ++i) {
+  for (int i = 0; levels.number_of_removals() > left; ++i) {
     if (i % 1024 == 0)
       monitor.check("embed");
     const int v = levels.restore();
-    if (!Vertex_neighbourhood(map, v, levels.star(v)).find_center(map.coordinates[v]))
-      return false;
-    improve_vertex(map, levels, v, 4);
+    if (!Vertex_neighbourhood(map, v, levels.star(v), aspect).find_center(map.coordinates[v]))
+      throw Stage_failure("embed: there is no room in the map for vertex " + std::to_string(v));
+    improve_vertex(map, levels, v, 4, aspect);
     for (const int f : levels.star(v))
       if (const int w = map.faces[f].vertex[(map.faces[f].corner_of(v) + 1) % 3]; !is_fixed[w])
-        improve_vertex(map, levels, w, 1);
+        improve_vertex(map, levels, w, 1, aspect);
   }
-  return true;
 }
 
 // improves the places of all vertices in turn, several times
