@@ -50,11 +50,11 @@ inline const std::vector<Embedding_case>& embedding_cases()
         result.emplace_back("noisy sphere " + std::to_string(seed) + ", displacement " +
                                 std::to_string(displacement),
                             generated::noisy(generated::icosphere(3), 0.05, seed), displacement);
-    result.emplace_back("two components",
-                        generated::disjoint_union(
-                            generated::cube(3),
-                            generated::translated(generated::torus(20, 12), {20, 0, 0})),
-                        2);
+    result.emplace_back(
+        "two components",
+        generated::disjoint_union(generated::cube(3),
+                                  generated::translated(generated::torus(20, 12), {20, 0, 0})),
+        2);
     return result;
   }();
   return cases;

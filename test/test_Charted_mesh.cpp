@@ -94,7 +94,8 @@ BOOST_AUTO_TEST_CASE(collapses_undo_splits)
   for (int u = int(mesh.points.size()) - 1; u >= vertices; --u) {
     const std::vector<int> around = mesh.outgoing(u);
     const auto half = std::find_if(around.begin(), around.end(), [&](int h) {
-      return mesh.is_original[h] && mesh.target(h) < u && common_neighbours(mesh, u, mesh.target(h)) == 2;
+      return mesh.is_original[h] && mesh.target(h) < u &&
+             common_neighbours(mesh, u, mesh.target(h)) == 2;
     });
     BOOST_TEST_REQUIRE((half != around.end()));
     mesh.collapse(*half);
@@ -116,9 +117,7 @@ BOOST_AUTO_TEST_CASE(collapses_keep_curves)
     mesh.curve[Charted_mesh::next(h)] = 0;
     mesh.curve[mesh.opposite(Charted_mesh::next(h))] = 1;
   }
-  const auto length = [&] {
-    return std::count(mesh.curve.begin(), mesh.curve.end(), 0);
-  };
+  const auto length = [&] { return std::count(mesh.curve.begin(), mesh.curve.end(), 0); };
   const auto before = length();
   const int outside = mesh.target(mesh.opposite(Charted_mesh::next(mesh.outgoing(0).front())));
   // a vertex on the curve goes along it

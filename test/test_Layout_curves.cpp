@@ -9,12 +9,12 @@
 
 #include "embedding_cases.h"
 
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/embedding/Layout_curves.h>
 #include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
 #include <CGAL/Quad_layouts/internal/embedding/Square_charts.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
-#include <set>
 #include <vector>
 
 namespace QL = CGAL::Quad_layouts;
@@ -156,9 +156,8 @@ BOOST_AUTO_TEST_CASE(charts_close_around_regular_vertices)
       int wrong = 0;
       for (int v = 0; v < int(e.mesh.points.size()); ++v) {
         QL::internal::Chart_change around;
-        e.mesh.for_each_outgoing(v, [&](int h) {
-          around = e.mesh.transition[Charted_mesh::prev(h)].after(around);
-        });
+        e.mesh.for_each_outgoing(
+            v, [&](int h) { around = e.mesh.transition[Charted_mesh::prev(h)].after(around); });
         wrong += around.quarter_turns != turns[v];
         wrong += turns[v] == 0 && !around.translation.isZero(0);
       }

@@ -11,7 +11,6 @@
 
 #include <CGAL/Quad_layouts/internal/embedding/Overlay.h>
 
-#include <set>
 #include <vector>
 
 namespace QL = CGAL::Quad_layouts;

@@ -30,19 +30,19 @@ The map is found by construction. The quantization maps the common refinement of
 onto the layout, but takes whole regions to points and segments. These preimages of the layout's
 vertices have neighbourhoods that are discs: in each one a vertex is chosen, and the edges of the
 layout are led to it along disjoint paths. That embeds the layout on the mesh. Each of its faces is
-then mapped to a rectangle of integer size by Tutte's method (\cgalCite{t-hdg-63}), on a coarse version
-of the mesh in which the curves remain. From there the map minimizes a distortion that no inverted
-triangle can reach (\cgalCite{g-fffl-21}), the curves being free to move and only the irregular
-vertices held, and the removed vertices are brought back one by one, each inside the kernel of its
-star. Only lists, integers and paths decide about the structure.
+then mapped to a rectangle of integer size by Tutte's method (\cgalCite{t-hdg-63}), on a coarse
+version of the mesh in which the curves remain. From there the map minimizes a distortion that no
+inverted triangle can reach (\cgalCite{g-fffl-21}), the curves being free to move and only the
+irregular vertices held, and the removed vertices are brought back one by one, each inside the
+kernel of its star. Only lists, integers and paths decide about the structure.
 
-The result is valid if no triangle is inverted *and* the angles around every vertex sum up to what the
-layout says; both are verified, with exact predicates for the first. Beyond that every layout edge is
-followed in the map and verified to lead to where the layout says, which proves that the layout is
-embedded.
+The result is valid if no triangle is inverted *and* the angles around every vertex sum up to what
+the layout says; both are verified, with exact predicates for the first. Beyond that every layout
+edge is followed in the map and verified to lead to where the layout says, which proves that the
+layout is embedded.
 
-Triangles that the curves cross are divided, so the map comes with a surface of its own, which has all
-the vertices of the surface of the T-mesh, and more behind them.
+Triangles that the curves cross are divided, so the map comes with a surface of its own, which has
+all the vertices of the surface of the T-mesh, and more behind them.
 
 @tparam NamedParameters a sequence of named parameters
 
@@ -66,12 +66,12 @@ the vertices of the surface of the T-mesh, and more behind them.
 \cgalNamedParamsEnd
 
 \throw Invalid_parameter if a parameter is out of its range.
-\throw Stage_failure if no valid map was found, with the place where it failed. An invalid map is never
-returned.
+\throw Stage_failure if no valid map was found, with the place where it failed. An invalid map is
+never returned.
 \throw Cancelled if the visitor asks to stop.
 
-The time is about linear in the number of triangles of the common refinement, plus that of optimizing
-the coarse mesh, which grows with the number of layout vertices.
+The time is about linear in the number of triangles of the common refinement, plus that of
+optimizing the coarse mesh, which grows with the number of layout vertices.
 */
 template <class NamedParameters = parameters::Default_named_parameters>
 Integer_grid_map embed_quad_layout(const T_mesh& t_mesh, const Quad_layout& layout,

@@ -24,8 +24,8 @@ using Chart_change = Integer_grid_map::Transition;
 // A triangle mesh with a chart per face, whose edges can be split and collapsed.
 //
 // Halfedges are numbered as in Triangle_surface. New vertices and faces are appended; a face keeps
-// its number and chart when it is split, and its new part gets the same chart. What collapses remove
-// stays in the arrays, without connections, until `compact()`.
+// its number and chart when it is split, and its new part gets the same chart. What collapses
+// remove stays in the arrays, without connections, until `compact()`.
 class Charted_mesh
 {
 public:
@@ -105,7 +105,8 @@ public:
   }
 
   // Moves the source of h to its target, which removes the source and the faces on both sides of h.
-  // The ends of h must have two common neighbours, and the charts be the same all around the source.
+  // The ends of h must have two common neighbours, and the charts be the same all around the
+  // source.
   void collapse(int h)
   {
     const int u = m_source[h], v = target(h), twin = m_opposite[h];
@@ -162,7 +163,7 @@ public:
   std::vector<Chart_change>
       transition; // per halfedge, from the chart of its face to that on the other side
   std::vector<Point2> position; // per corner: its place in the chart of the face, where it is known
-  std::vector<int> curve; // per halfedge: what it runs along, or -1
+  std::vector<int> curve;       // per halfedge: what it runs along, or -1
   std::vector<char> is_original; // per halfedge: whether it is part of an edge of the surface
 
 private:

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A layout drawn on a triangle mesh: its vertices are vertices of the mesh, its edges disjoint paths of
-// edges. The curves of the mesh are the halfedges of the layout.
+// A layout drawn on a triangle mesh: its vertices are vertices of the mesh, its edges disjoint
+// paths of edges. The curves of the mesh are the halfedges of the layout.
 struct Embedded_layout
 {
   Charted_mesh mesh;

@@ -13,7 +13,7 @@
 #include <CGAL/Quad_layouts/internal/embedding/Quantized_overlay.h>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,10 +24,10 @@ namespace internal {
 
 // Draws the lines of the unit grids in all patches of a quantized T-mesh, as paths of edges.
 //
-// One line after the other is a shortest path through the inside of what is left of the patch. There
-// always is one: a triangulated disc in which no inner edge joins two points of the boundary has
-// inner vertices, and these are connected, and next to every boundary vertex. So it is enough to split
-// such edges, which come with every new line.
+// One line after the other is a shortest path through the inside of what is left of the patch.
+// There always is one: a triangulated disc in which no inner edge joins two points of the boundary
+// has inner vertices, and these are connected, and next to every boundary vertex. So it is enough
+// to split such edges, which come with every new line.
 //
 // In a patch of zero width, the lines from side to side are mapped to points.
 class Grid_lines
@@ -150,8 +150,8 @@ private:
       ++i;
     }
     if (i == queue.size())
-      throw Stage_failure("embed: no way from vertex " + std::to_string(from.vertex) + " to vertex " +
-                          std::to_string(to.vertex) + " of the overlay");
+      throw Stage_failure("embed: no way from vertex " + std::to_string(from.vertex) +
+                          " to vertex " + std::to_string(to.vertex) + " of the overlay");
     std::vector<int> line{to.vertex};
     for (int v = queue[i]; v != from.vertex; v = m_reached_from[v])
       line.push_back(v);
@@ -179,8 +179,8 @@ private:
     return mesh().halfedge_between(line[k], line[k + 1]);
   }
 
-  // splits the edges of a line until it can be divided into `parts`; returns where the inner ends of
-  // the parts are
+  // splits the edges of a line until it can be divided into `parts`; returns where the inner ends
+  // of the parts are
   std::vector<int> divide(std::vector<int>& line, int parts)
   {
     while (int(line.size()) <= parts) {

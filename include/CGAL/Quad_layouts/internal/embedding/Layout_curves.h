@@ -16,9 +16,8 @@
 #include <CGAL/Quad_layouts/internal/embedding/preimages.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -245,12 +244,12 @@ private:
   const T_mesh& m_t_mesh;
   const Quad_layout& m_layout;
   Charted_mesh m_mesh{Triangle_surface()};
-  std::vector<int> m_curve;           // per halfedge of the mesh, before any split here
-  std::vector<int> m_owner;           // per vertex of the mesh the layout vertex in whose disc it is
-  std::vector<Place> m_place;         // per vertex of the mesh
-  std::vector<int> m_vertex;          // per layout vertex
-  std::vector<int> m_exit;            // per layout halfedge
-  std::vector<int> m_reached_by;      // scratch of `path_to`
+  std::vector<int> m_curve;      // per halfedge of the mesh, before any split here
+  std::vector<int> m_owner;      // per vertex of the mesh the layout vertex in whose disc it is
+  std::vector<Place> m_place;    // per vertex of the mesh
+  std::vector<int> m_vertex;     // per layout vertex
+  std::vector<int> m_exit;       // per layout halfedge
+  std::vector<int> m_reached_by; // scratch of `path_to`
 };
 
 } // namespace internal

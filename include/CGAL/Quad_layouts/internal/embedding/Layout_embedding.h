@@ -21,6 +21,8 @@
 #include <CGAL/Quad_layouts/internal/embedding/coarse_to_fine.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -30,8 +32,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The layout vertices that are held at integer points: all irregular ones, and one of each component
-// that has none. `place` tells, per layout vertex, where on the mesh it is.
+// The layout vertices that are held at integer points: all irregular ones, and one of each
+// component that has none. `place` tells, per layout vertex, where on the mesh it is.
 inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vector<int>& place)
 {
   const int n = layout.number_of_vertices();
@@ -95,15 +97,15 @@ public:
     Square_charts(embedded, m_layout, m_squares);
     m_monitor.report("embed", 0.3);
     const std::vector<Cone> cones = choose_cones(m_layout, embedded.vertices);
-    Integer_grid_map result =
-        to_integer_grid_map(embedded.mesh, solve(embedded, cones), m_chord_length);
+    Integer_grid_map result = to_integer_grid_map(embedded.mesh, solve(embedded, cones),
+                                                  m_chord_length);
     verify(result, cones);
     return result;
   }
 
 private:
-  // Begins with as few triangles as there can be, where Tutte's method leaves all of them room; brings
-  // back vertices up to a coarse mesh, whose map is relaxed as a whole, and then the others.
+  // Begins with as few triangles as there can be, where Tutte's method leaves all of them room;
+  // brings back vertices up to a coarse mesh, whose map is relaxed as a whole, and then the others.
   Map solve(const Embedded_layout& embedded, const std::vector<Cone>& cones) const
   {
     std::vector<char> is_cone(embedded.mesh.points.size(), 0);

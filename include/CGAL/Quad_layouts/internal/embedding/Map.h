@@ -27,7 +27,8 @@ struct Map
   {
     std::array<int, 3> vertex;
     std::array<Chart_change, 3> chart;
-    std::array<int, 3> curve; // per side, that from corner k to k + 1 first: what it runs along, or -1
+    std::array<int, 3>
+        curve; // per side, that from corner k to k + 1 first: what it runs along, or -1
 
     int corner_of(int v) const { return vertex[0] == v ? 0 : vertex[1] == v ? 1 : 2; }
     bool has(int v) const { return vertex[0] == v || vertex[1] == v || vertex[2] == v; }

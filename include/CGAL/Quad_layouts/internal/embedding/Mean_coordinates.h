@@ -46,8 +46,8 @@ public:
     const Eigen::Index n = m_rhs.rows();
     Eigen::SparseMatrix<double> laplacian(n, n);
     laplacian.setFromTriplets(m_entries.begin(), m_entries.end());
-    const Eigen::MatrixXd x =
-        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(m_rhs);
+    const Eigen::MatrixXd x = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(
+        m_rhs);
     std::vector<Point2> result;
     for (Eigen::Index i = 0; i < n; ++i)
       result.push_back(x.row(i).transpose());

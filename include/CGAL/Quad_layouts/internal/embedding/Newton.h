@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Minimizes the distortion of a map without inverted triangles, over the coordinates of the vertices
-// that are free.
+// Minimizes the distortion of a map without inverted triangles, over the coordinates of the
+// vertices that are free.
 class Newton
 {
 public:
@@ -70,8 +70,9 @@ public:
     return sum;
   }
 
-  // solves for the minimum of the quadratic model and goes there, or less far if the distortion would
-  // not fall; returns the distortion that is reached, `before` (the present one) if no step helps
+  // solves for the minimum of the quadratic model and goes there, or less far if the distortion
+  // would not fall; returns the distortion that is reached, `before` (the present one) if no step
+  // helps
   double step(double before)
   {
     assemble();
@@ -104,7 +105,8 @@ private:
       std::array<Point2, 3> d;
       for (int k = 0; k < 3; ++k)
         d[k] = Chart_change::turned(move_of(face.vertex[k], move), face.chart[k].quarter_turns);
-      longest = (std::min)(longest, 0.9 * first_root(x[1] - x[0], x[2] - x[0], d[1] - d[0], d[2] - d[0]));
+      longest = (std::min)(longest,
+                           0.9 * first_root(x[1] - x[0], x[2] - x[0], d[1] - d[0], d[2] - d[0]));
     }
     return longest;
   }

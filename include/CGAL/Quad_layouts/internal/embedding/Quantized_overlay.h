@@ -24,8 +24,8 @@ namespace internal {
 // The overlay of a surface and a T-mesh, with all arcs divided into the unit lengths that they have
 // in the quantization, and room for lines inside of patches.
 //
-// The curves of its mesh are the halfedges of the T-mesh, and lines inside of patches that are mapped
-// to halfedges of the layout or to points.
+// The curves of its mesh are the halfedges of the T-mesh, and lines inside of patches that are
+// mapped to halfedges of the layout or to points.
 class Quantized_overlay
 {
 public:

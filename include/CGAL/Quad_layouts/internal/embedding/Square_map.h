@@ -55,15 +55,15 @@ private:
                             " is interrupted");
       const auto [f, k] = piece->second;
       const Map::Face& face = m_map.faces[f];
-      m_map.coordinates[v] =
-          face.chart[k].inverse()(squares.point(l, double(i) / double(pieces.size())));
+      m_map.coordinates[v] = face.chart[k].inverse()(
+          squares.point(l, double(i) / double(pieces.size())));
       m_on_curve[v] = 1;
       v = face.vertex[(k + 1) % 3];
     }
   }
 
-  // Every edge between two free vertices is seen from both its sides, all edges count twice. The chart
-  // of a free vertex is that of its square.
+  // Every edge between two free vertices is seen from both its sides, all edges count twice. The
+  // chart of a free vertex is that of its square.
   void place_others()
   {
     std::vector<int> number(m_map.points.size(), -1), vertex;

@@ -30,10 +30,9 @@ public:
       const Map::Face& face = map.faces[f];
       const int k = face.corner_of(v), a = (k + 1) % 3, b = (k + 2) % 3;
       const Chart_change to_vertex = face.chart[k].inverse();
-      m_triangles.push_back(
-          {to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
-           Rest_shape(map.points[v], map.points[face.vertex[a]], map.points[face.vertex[b]],
-                      aspect)});
+      m_triangles.push_back({to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
+                             Rest_shape(map.points[v], map.points[face.vertex[a]],
+                                        map.points[face.vertex[b]], aspect)});
     }
   }
 

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,10 +33,10 @@ struct Removal
 // Simplifies the triangles of a map by half-edge collapses, and takes the collapses back.
 //
 // The curves of the map stay: their vertices move along them only, their ends not at all, and no
-// other edge ever joins two vertices of curves. No vertex is removed into a cone: around one of more
-// than a full turn, its polygon could become so wide there that no place sees all of it. Charts are
-// carried along exactly, so that the coordinates of any vertex that is present keep their meaning on
-// every level.
+// other edge ever joins two vertices of curves. No vertex is removed into a cone: around one of
+// more than a full turn, its polygon could become so wide there that no place sees all of it.
+// Charts are carried along exactly, so that the coordinates of any vertex that is present keep
+// their meaning on every level.
 class Vertex_removal
 {
 public:
@@ -104,7 +105,8 @@ public:
   const std::vector<int>& star(int v) const { return m_star[v]; }
 
 private:
-  // what a collapse must keep: the shapes and normals of triangles, or their normals only, or neither
+  // what a collapse must keep: the shapes and normals of triangles, or their normals only, or
+  // neither
   enum Care : char { SHAPES, NORMALS, NONE };
   enum Kind : char { FREE, ON_CURVE, HELD };
   using Entry = std::tuple<double, int, int>;
@@ -138,8 +140,10 @@ private:
   {
     double area = 0;
     for (const Map::Face& f : m_map.faces)
-      area += normal(m_map.points[f.vertex[0]], m_map.points[f.vertex[1]], m_map.points[f.vertex[2]])
-                  .norm() / 2;
+      area += normal(m_map.points[f.vertex[0]], m_map.points[f.vertex[1]],
+                     m_map.points[f.vertex[2]])
+                  .norm() /
+              2;
     m_longest = 2 * std::sqrt(4 / std::sqrt(3.) * area / target);
   }
 
@@ -175,10 +179,7 @@ private:
                                : (m_map.points[u] - m_map.points[v]).norm() * (1 + change);
   }
 
-  bool keeps_curves(int u, int v) const
-  {
-    return m_kind[u] == FREE || is_curve(u, v);
-  }
+  bool keeps_curves(int u, int v) const { return m_kind[u] == FREE || is_curve(u, v); }
 
   // whether the edge from u to v is part of a curve
   bool is_curve(int u, int v) const
@@ -239,7 +240,8 @@ private:
       change = (std::max)(change, 1 - cosine);
       worst_after = (std::min)(worst_after, quality(m_map.points[v], a, b));
     }
-    return m_care == SHAPES && worst_after < (std::min)(0.3, 0.9 * worst_before) ? forbidden : change;
+    return m_care == SHAPES && worst_after < (std::min)(0.3, 0.9 * worst_before) ? forbidden
+                                                                                 : change;
   }
 
   static Point normal(const Point& p, const Point& q, const Point& r)

@@ -32,8 +32,11 @@ inline void relax(Map& map, const std::vector<char>& is_fixed, const Monitor& mo
     double evenness, aspect;
     int max_steps;
   };
-  constexpr Stage stages[] = {
-      {1, 0.5, 20}, {0.75, 0.1, 20}, {0.5, 0.02, 20}, {0.25, 0.005, 20}, {0, Rest_shape::least_aspect, 50}};
+  constexpr Stage stages[] = {{1, 0.5, 20},
+                              {0.75, 0.1, 20},
+                              {0.5, 0.02, 20},
+                              {0.25, 0.005, 20},
+                              {0, Rest_shape::least_aspect, 50}};
   for (const Stage& stage : stages) {
     Newton newton(map, is_fixed, stage.aspect);
     newton.even_out(stage.evenness);

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Tells, per vertex of a quantized overlay with grid lines, the layout vertex to which it is mapped,
-// or -1.
+// Tells, per vertex of a quantized overlay with grid lines, the layout vertex to which it is
+// mapped, or -1.
 //
 // The preimage of a layout vertex is a connected, simply connected set of arcs of length zero, of
 // patches of size zero and of lines through patches of zero width.
