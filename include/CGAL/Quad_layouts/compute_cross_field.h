@@ -11,13 +11,12 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/field/face_vectors.h>
 #include <CGAL/Quad_layouts/internal/field/smooth_cross_field.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
-#include <cmath>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -28,15 +27,10 @@ namespace internal {
 // throws unless the options are in their ranges
 inline void check_field_options(const Cross_field_options& options)
 {
-  if (!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
-    throw Invalid_parameter("curvature_alignment: " + std::to_string(options.curvature_alignment) +
-                            " is not a finite number >= 0");
-  if (!(options.diffusion_time > 0) || !std::isfinite(options.diffusion_time))
-    throw Invalid_parameter("diffusion_time: " + std::to_string(options.diffusion_time) +
-                            " is not a finite number > 0");
-  if (options.number_of_iterations < 1)
-    throw Invalid_parameter("number_of_iterations: " +
-                            std::to_string(options.number_of_iterations) + " is less than 1");
+  require_not_negative("curvature_alignment", options.curvature_alignment);
+  require_positive("diffusion_time", options.diffusion_time);
+  require_parameter(options.number_of_iterations >= 1, "number_of_iterations",
+                    options.number_of_iterations, "at least 1");
 }
 
 } // namespace internal

@@ -12,11 +12,10 @@
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/embedding/Layout_embedding.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
-#include <cmath>
-#include <string>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -82,9 +81,7 @@ Integer_grid_map embed_quad_layout(const T_mesh& t_mesh, const Quad_layout& layo
 
   const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
                                     0.01 * t_mesh.surface().diagonal());
-  if (!(h > 0 && std::isfinite(h)))
-    throw Invalid_parameter("target_edge_length is " + std::to_string(h) +
-                            ", but must be positive and finite");
+  internal::require_positive("target_edge_length", h);
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("embed_quad_layout", [&] {
     return internal::Layout_embedding(t_mesh, layout, h, monitor).map();

@@ -15,12 +15,12 @@
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_Layout_tracer.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_build_mesh.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_grid_points.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -123,9 +123,8 @@ void extract_quad_mesh(const Integer_grid_map& map, const Quad_layout& layout, Q
     !parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::target_edge_length_t>::value;
   const double target =
     choose_parameter(get_parameter(np_out, internal_np::target_edge_length), 0.);
-  if (has_target && !(target > 0 && std::isfinite(target)))
-    throw Invalid_parameter("target_edge_length is " + std::to_string(target)
-                            + ", but must be positive and finite");
+  if (has_target)
+    internal::require_positive("target_edge_length", target);
   internal::check_map(map, layout);
 
   std::vector<int> divisions = map.chord_length;

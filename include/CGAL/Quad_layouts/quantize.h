@@ -15,29 +15,16 @@
 #include <CGAL/Quad_layouts/visitor.h>
 #if __has_include(<glpk.h>)
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #endif
 
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace CGAL {
 namespace Quad_layouts {
 
 template <class FT>
 class GLPK_mixed_integer_program_traits;
-
-namespace internal {
-
-// throws unless `holds`
-template <class Number>
-void check_quantization_parameter(bool holds, const char* name, Number value, const char* demand)
-{
-  if (!holds)
-    throw Invalid_parameter(std::string(name) + ": " + std::to_string(value) + " is not " + demand);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgQuadLayoutsFunctions
@@ -139,7 +126,6 @@ Quantization quantize(const T_mesh& t_mesh,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   constexpr double degree = 3.14159265358979323846 / 180;
-  constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
   const double alpha = choose_parameter(get_parameter(np, internal_np::maximum_deviation), 15.);
   const double r = choose_parameter(get_parameter(np, internal_np::maximum_displacement), 2.);
@@ -151,16 +137,14 @@ Quantization quantize(const T_mesh& t_mesh,
                                           30.);
   const double gap = choose_parameter(get_parameter(np, internal_np::relative_gap), 0.01);
 
-  const auto check = [](bool holds, const char* name, auto value, const char* demand) {
-    internal::check_quantization_parameter(holds, name, value, demand);
-  };
-  check(alpha > 0 && alpha < 90, "maximum_deviation", alpha, "between 0 and 90 degrees");
-  check(r >= 0 && r < infinity, "maximum_displacement", r, "a finite number >= 0");
-  check(h > 0 && h < infinity, "target_edge_length", h, "a finite number > 0");
-  check(least >= 1 && least <= 4, "minimum_valence", least, "in 1 to 4");
-  check(most >= 4, "maximum_valence", most, "at least 4");
-  check(seconds > 0, "maximum_running_time", seconds, "a number > 0");
-  check(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
+  internal::require_parameter(alpha > 0 && alpha < 90, "maximum_deviation", alpha,
+                              "between 0 and 90 degrees");
+  internal::require_not_negative("maximum_displacement", r);
+  internal::require_positive("target_edge_length", h);
+  internal::require_parameter(least >= 1 && least <= 4, "minimum_valence", least, "in 1 to 4");
+  internal::require_parameter(most >= 4, "maximum_valence", most, "at least 4");
+  internal::require_parameter(seconds > 0, "maximum_running_time", seconds, "a number > 0");
+  internal::require_parameter(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
 
   const internal::Quantization_options options{
       {std::tan(alpha * degree), 2 * r * h, 4 - most, 4 - least}, seconds, gap};

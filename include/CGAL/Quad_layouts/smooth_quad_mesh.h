@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_polygons.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quad_smoother.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
@@ -137,9 +138,8 @@ void smooth_quad_mesh(QuadMesh& quads, const TriangleMesh& surface,
 
   const int number_of_iterations = choose_parameter(
       get_parameter(np_quads, internal_np::number_of_iterations), 30);
-  if (number_of_iterations < 0)
-    throw Invalid_parameter("number_of_iterations is " + std::to_string(number_of_iterations) +
-                            ", but must not be negative");
+  internal::require_parameter(number_of_iterations >= 0, "number_of_iterations",
+                              number_of_iterations, "at least 0");
   const auto quad_points = choose_parameter(get_parameter(np_quads, internal_np::vertex_point),
                                             get_property_map(vertex_point, quads));
   const auto surface_points = choose_parameter(get_parameter(np_surface, internal_np::vertex_point),

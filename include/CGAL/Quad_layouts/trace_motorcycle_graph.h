@@ -10,12 +10,12 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/tracing/trace_in_field.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
 #include <cmath>
-#include <string>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -26,15 +26,10 @@ namespace internal {
 inline void check_tracing_parameters(double maximum_deviation, double maximum_displacement,
                                      double target_edge_length)
 {
-  if (!(maximum_deviation > 0 && maximum_deviation < 90))
-    throw Invalid_parameter("maximum_deviation: " + std::to_string(maximum_deviation)
-                            + " is not between 0 and 90 degrees");
-  if (!(maximum_displacement >= 0) || !std::isfinite(maximum_displacement))
-    throw Invalid_parameter("maximum_displacement: " + std::to_string(maximum_displacement)
-                            + " is not a finite number >= 0");
-  if (!(target_edge_length > 0) || !std::isfinite(target_edge_length))
-    throw Invalid_parameter("target_edge_length: " + std::to_string(target_edge_length)
-                            + " is not a finite number > 0");
+  require_parameter(maximum_deviation > 0 && maximum_deviation < 90, "maximum_deviation",
+                    maximum_deviation, "between 0 and 90 degrees");
+  require_not_negative("maximum_displacement", maximum_displacement);
+  require_positive("target_edge_length", target_edge_length);
 }
 
 } // namespace internal
