@@ -70,8 +70,9 @@ are and the more the surface bends along them. At last the quads' angles are opt
 steps for one vertex at a time. A move that would turn a quad inside out, or over by more than 60
 degrees against the surface, is not made. Quads that are inverted all the same, or oppose the
 triangles nearest to their centres, are untangled at the end, each group with as much of its
-surroundings as it takes; so are quads of a low scaled Jacobian. Vertices follow the surface
-continuously, from triangle to triangle, and so never jump between the two sides of a thin part.
+surroundings as it takes, if need be from random places (always the same); so are quads of a low
+scaled Jacobian. Vertices follow the surface continuously, from triangle to triangle, and so never
+jump between the two sides of a thin part.
 
 \tparam QuadMesh a model of `FaceListGraph`
 \tparam TriangleMesh a model of `FaceListGraph`

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -70,6 +71,7 @@ public:
       treat_groups(suspects, 0, rings, search_here);
       treat_groups(suspects, 0, rings, search_anew);
     }
+    shake(suspects);
   }
 
 private:
@@ -173,6 +175,30 @@ private:
       treated.insert(treated.end(), quads.begin(), quads.end());
     }
     suspects.swap(treated);
+  }
+
+  // Searches from random places around, for what nothing else helps.
+  void shake(std::vector<int>& suspects)
+  {
+    constexpr int rounds = 100;
+    std::minstd_rand random; // always the same numbers
+    const auto attempt = [&](const std::vector<int>& region, int) {
+      for (const int v : region)
+        displace(v, random);
+      search(region);
+    };
+    for (int i = 0; i < rounds; ++i)
+      treat_groups(suspects, 0, 1 + i % 4, attempt);
+  }
+
+  // moves v along the surface by at most half the length of its edges
+  void displace(int v, std::minstd_rand& random)
+  {
+    const Vector normal = m_quads.normal(v), t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
+    const auto fraction = [&] { return double(random()) / double(std::minstd_rand::max()) - 0.5; };
+    const double x = fraction(), y = fraction(), length = m_quads.edge_length(v);
+    const Surface_walk::Place start = m_quads.place(v);
+    m_quads.move(v, m_quads.walk().slide(start, start.point + length * (x * t1 + y * t2)));
   }
 
   void relax_freely(const std::vector<int>& region, int sweeps)
