@@ -160,8 +160,7 @@ private:
   // Makes an attempt for each group of bad quads among `suspects`, and replaces these by the quads
   // that may be bad now.
   template <class Attempt>
-  void treat_groups(std::vector<int>& suspects, double threshold, int rings,
-                    const Attempt& attempt)
+  void treat_groups(std::vector<int>& suspects, double threshold, int rings, const Attempt& attempt)
   {
     std::vector<int> treated;
     for (const std::vector<int>& group : groups(suspects, threshold)) {

@@ -22,7 +22,7 @@ namespace internal {
 
 // Examines layouts for what the rows of the program do not see, and turns it into cuts: loops of
 // length 0 that change the topology, and clusters of more singularities than pairs can see, whose
-// index is out of range.
+// index is out of range, or that are not to be where no pair may merge.
 class Validity
 {
 public:
@@ -43,12 +43,19 @@ public:
     for (const auto& arcs : report.cuts)
       add({m_program.set_of(arcs), {}});
     for (const Merged_cluster& cluster : report.clusters)
-      if (excess(cluster) != 0 && add(cut_of(cluster)))
+      if (!is_legal(cluster) && add(cut_of(cluster)))
         valid = false;
     return valid;
   }
 
 private:
+  bool is_legal(const Merged_cluster& cluster) const
+  {
+    const auto singularities = std::count_if(cluster.nodes.begin(), cluster.nodes.end(),
+                                             [&](int n) { return m_t_mesh.index(n) != 0; });
+    return excess(cluster) == 0 && (singularities < 2 || !m_paper.pairs.empty());
+  }
+
   // how far the index of a cluster is outside the range of its members
   int excess(const Merged_cluster& cluster) const
   {
