@@ -43,7 +43,7 @@ PRINT_TABLE
 echo "The layout, the quad mesh and stats.json are in $folder."
 
 # The picture needs packages that the library does not.
-require_packages python3-vtk9 xvfb xauth || true
+require_packages python3-vtk9 python3-numpy xvfb xauth || true
 if "$root/examples/render_layout.sh" "$folder" "$folder/layout.png"; then
   echo "The picture is $folder/layout.png."
 else
