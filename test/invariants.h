@@ -89,7 +89,7 @@ inline void check_patches(const T_mesh& t)
   }
   BOOST_TEST(violations(np, [&](int p) { return corners[p] == 4; }) == 0);
   BOOST_TEST(violations(np, [&](int p) { return follows_corner[t.halfedge_of(p)] != 0; }) == 0);
-  BOOST_TEST(t.euler_characteristic() == euler_characteristic(t.surface()));
+  BOOST_TEST(t.euler_characteristic() == invariants::euler_characteristic(t.surface()));
 }
 
 inline void check_nodes(const T_mesh& t)
@@ -98,7 +98,7 @@ inline void check_nodes(const T_mesh& t)
   int index_sum = 0;
   for (int n = 0; n < nodes; ++n)
     index_sum += t.index(n);
-  BOOST_TEST(index_sum == 4 * euler_characteristic(t.surface()));
+  BOOST_TEST(index_sum == 4 * invariants::euler_characteristic(t.surface()));
   BOOST_TEST(violations(nodes, [&](int n) { return quarter_turns(t, n) == 4 - t.index(n); }) == 0);
   BOOST_TEST(violations(nodes, [&](int n) {
     return t.node_visits[n].size() == (t.is_singularity_or_seed(n) ? 0u : 2u);

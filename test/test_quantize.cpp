@@ -5,6 +5,7 @@
 // Author(s) : The Quad_layouts authors
 
 #define BOOST_TEST_MODULE quantize
+#include "generated_fields.h"
 #include "generated_meshes.h"
 #include "hand_made_t_meshes.h"
 
@@ -82,6 +83,16 @@ void check_on(const generated::Mesh& mesh)
     if (q.status == QL::Quantization::OPTIMAL)
       BOOST_TEST(QL::quantize(t, np).arc_length == q.arc_length, boost::test_tools::per_element());
   }
+}
+
+void check_that_all_remain(const QL::Cross_field& field)
+{
+  const auto np = parameters::maximum_displacement(0.).maximum_running_time(20);
+  const QL::T_mesh t = QL::trace_motorcycle_graph(field, np);
+  const auto report = internal::examine_quotient(t, QL::quantize(t, np).arc_length);
+  BOOST_TEST(report.valid, report.reason);
+  for (const auto& cluster : report.clusters)
+    BOOST_TEST(cluster.nodes.size() == 1);
 }
 
 } // namespace
@@ -202,6 +213,21 @@ BOOST_AUTO_TEST_CASE(generated_surfaces)
   check_on(generated::disjoint_union(
       generated::cube(6),
       generated::translated(generated::icosphere(3), generated::Vector(5, 0, 0))));
+}
+
+// Where nothing may move, every singularity remains: also in fields with limit cycles and spirals.
+BOOST_AUTO_TEST_CASE(no_displacement_keeps_all_singularities)
+{
+  for (unsigned seed = 1; seed <= 9; ++seed)
+    BOOST_TEST_CONTEXT("random field " << seed)
+    check_that_all_remain(generated::random_field(
+        seed % 2 == 0 ? generated::icosphere(1) : generated::torus(10, 6), seed));
+  generated::Mesh mesh;
+  const std::string path = CGAL::data_file_path("meshes/triceratops.off");
+  if (std::ifstream(path) && CGAL::IO::read_polygon_mesh(path, mesh))
+    check_that_all_remain(QL::compute_cross_field(mesh));
+  else
+    BOOST_TEST_MESSAGE("skipped: " << path << " is not there");
 }
 
 BOOST_AUTO_TEST_CASE(real_surfaces)

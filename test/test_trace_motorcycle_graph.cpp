@@ -5,6 +5,7 @@
 // Author(s) : The Quad_layouts authors
 
 #define BOOST_TEST_MODULE trace_motorcycle_graph
+#include "generated_fields.h"
 #include "generated_meshes.h"
 #include "invariants.h"
 
@@ -17,7 +18,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -26,46 +26,13 @@ namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
 
 using Mesh = generated::Mesh;
-using Surface = QL::internal::Triangle_surface;
 using Vector = Eigen::Vector3d;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-std::shared_ptr<const Surface> surface_of(const Mesh& mesh)
-{
-  return std::make_shared<const Surface>(QL::internal::make_triangle_surface(mesh, mesh.points()));
-}
-
-// the field with a direction in each face that is given as a function of the face's centre, turned
-// by `angle(centre)`
-template <class Direction, class Angle>
-QL::Cross_field field_along(const Mesh& mesh, Direction direction, Angle angle)
-{
-  const auto surface = surface_of(mesh);
-  std::vector<Vector> vectors;
-  for (int f = 0; f < surface->number_of_faces(); ++f) {
-    Vector center = Vector::Zero();
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
-      center += surface->point(surface->source(h)) / 3;
-    const Vector n = surface->normal(f);
-    Vector u = direction(center);
-    u = (u - n * n.dot(u)).normalized();
-    vectors.push_back(std::cos(angle(center)) * u + std::sin(angle(center)) * n.cross(u));
-  }
-  return QL::internal::given_cross_field(surface, vectors);
-}
-
-QL::Cross_field random_field(const Mesh& mesh, unsigned seed)
-{
-  const auto surface = surface_of(mesh);
-  std::mt19937 random(seed);
-  std::vector<Vector> vectors;
-  for (int f = 0; f < surface->number_of_faces(); ++f)
-    vectors.push_back(surface->direction(f, 2 * pi * random() / double(random.max())));
-  return QL::internal::given_cross_field(surface, vectors);
-}
+using generated::field_along;
+using generated::pi;
+using generated::random_field;
 
 // circles around the z-axis
 Vector around_z(const Vector& center)

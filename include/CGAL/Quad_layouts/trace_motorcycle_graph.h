@@ -55,6 +55,12 @@ along edges is kept explicitly, so rounding cannot change the partition. Traces 
 end when they are many times as long as the surface is wide. A component without singularities gets
 a seed, a regular vertex from which four traces start.
 
+Traces that wind around a limit cycle can leave arcs between them that have length 0 in all consistent
+quantizations. Where such arcs join singularities, these traces are not extended: they stop at the first
+trace that they meet, as in a motorcycle graph. So quantizations can keep all singularities apart,
+unless that is not enough: to a single pair of valence 3 and 5 on a torus, for instance, no quad mesh
+belongs (\cgalCite{ikrss-ntt-13}).
+
 Where the field turns too fast for its triangles, the index of a singularity may appear at a
 neighbor of its vertex, and vertices at which no line would start (index 4 and more) share their
 index with their neighbors. The indices in the T-mesh are those that the traces obey; their sum is

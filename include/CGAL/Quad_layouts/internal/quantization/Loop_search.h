@@ -7,7 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_LOOP_SEARCH_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_LOOP_SEARCH_H
 
-#include <CGAL/Quad_layouts/internal/quantization/Dual_graph.h>
+#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>
 #include <functional>

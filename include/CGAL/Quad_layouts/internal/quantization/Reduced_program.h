@@ -7,7 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 
-#include <CGAL/Quad_layouts/internal/quantization/Dual_graph.h>
+#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/minimal_sets.h>
 

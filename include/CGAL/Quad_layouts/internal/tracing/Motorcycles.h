@@ -59,8 +59,11 @@ public:
     bool met_on_left = false, met_on_right = false;
   };
 
-  Motorcycles(Chords& chords, const Rule& rule, const std::vector<int>& vertices)
-    : m_chords(&chords), m_rule(rule)
+  // `is_hasty`: of traces that are to stop at the first one that they meet, as in a motorcycle
+  // graph that is not extended; of those beyond its end, none is
+  Motorcycles(Chords& chords, const Rule& rule, const std::vector<int>& vertices,
+              const std::vector<char>& is_hasty)
+    : m_chords(&chords), m_rule(rule), m_is_hasty(is_hasty)
   {
     for (int v : vertices)
       chords.labels().surface().for_each_outgoing(v, [&](int h) { start(v, h); });
@@ -207,10 +210,16 @@ private:
     Trace& t = trace_of(c);
     if (t.farthest_crossing != x || t.farthest_chord != c)
       return;
-    if ((t.met_on_left && t.met_on_right) || is_out_of_patience(t)) {
+    if ((t.met_on_left && t.met_on_right) || is_hasty(m_chords->chord(c).trace) ||
+        is_out_of_patience(t)) {
       t.last_crossing = x;
       t.last_chord = c;
     }
+  }
+
+  bool is_hasty(int trace) const
+  {
+    return trace < int(m_is_hasty.size()) && m_is_hasty[trace];
   }
 
   bool is_out_of_patience(const Trace& t) const
@@ -224,6 +233,7 @@ private:
 
   Chords* m_chords;
   Rule m_rule;
+  const std::vector<char>& m_is_hasty;
   std::vector<Trace> m_traces;
   std::priority_queue<Event> m_queue;
   int m_number = 0;

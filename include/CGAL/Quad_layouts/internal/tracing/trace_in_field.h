@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_TRACE_IN_FIELD_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_TRACE_IN_FIELD_H
 
+#include <CGAL/Quad_layouts/internal/tracing/Squeezed_singularities.h>
 #include <CGAL/Quad_layouts/internal/tracing/T_mesh_assembly.h>
 #include <CGAL/Quad_layouts/internal/tracing/check_t_mesh.h>
 #include <CGAL/Quad_layouts/internal/tracing/repair_labels.h>
@@ -55,13 +56,16 @@ inline T_mesh trace_in_field(const Cross_field& field, double tangent, double di
   const Labels labels = make_labels(field);
   const Motorcycles::Rule rule = stopping_rule(field.surface(), tangent, displacement);
   std::vector<int> seeds;
+  std::vector<char> is_hasty;
   for (;;) {
     Chords chords(field, labels);
-    Motorcycles motorcycles(chords, rule, starting_vertices(labels, seeds));
+    Motorcycles motorcycles(chords, rule, starting_vertices(labels, seeds), is_hasty);
     const int lonely = motorcycles.run(monitor);
     if (lonely < 0) {
       T_mesh result = T_mesh_assembly(field.surface_pointer(), chords, motorcycles)();
       check_t_mesh(result);
+      if (Squeezed_singularities(result).release(is_hasty))
+        continue;
       return result;
     }
     // A trace that runs through a region without singularities meets those of a seed there.
@@ -70,6 +74,7 @@ inline T_mesh trace_in_field(const Cross_field& field, double tangent, double di
       throw Stage_failure("trace_motorcycle_graph: a trace in face " + std::to_string(lonely)
                           + " finds no other to stop at");
     seeds.push_back(seed);
+    is_hasty.clear(); // traces are numbered by their starts
   }
 }
 

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_DUAL_GRAPH_H
-#define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_DUAL_GRAPH_H
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_DUAL_GRAPH_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_DUAL_GRAPH_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 
@@ -53,6 +53,9 @@ public:
   // -1 if the arc has length 0 in every consistent quantization
   int variable(int arc) const { return m_state[2 * arc] < 0 ? -1 : m_state[2 * arc] / 2; }
   const std::vector<int>& successors(int state) const { return m_successors[state]; }
+  // the halfedges of the side of its patch that h is on, and of the opposite one
+  const std::vector<int>& side(int h) const { return m_arcs[m_side[h]]; }
+  const std::vector<int>& opposite_side(int h) const { return m_arcs[m_side[h] ^ 2]; }
 
 private:
   void find_opposite_sides(const T_mesh& t_mesh)
@@ -68,11 +71,7 @@ private:
     }
   }
 
-  const std::vector<int>& opposite_side(int h) const { return m_arcs[m_side[h] ^ 2]; }
-  bool is_simple(int h) const
-  {
-    return m_arcs[m_side[h]].size() == 1 && opposite_side(h).size() == 1;
-  }
+  bool is_simple(int h) const { return side(h).size() == 1 && opposite_side(h).size() == 1; }
 
   // gives the halfedges of `first` and of all arcs joined to it by simple patches the states 2v and
   // 2v + 1
@@ -155,4 +154,4 @@ private:
 } // namespace Quad_layouts
 } // namespace CGAL
 
-#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_DUAL_GRAPH_H
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_DUAL_GRAPH_H

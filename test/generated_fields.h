@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_TEST_GENERATED_FIELDS_H
+#define CGAL_QUAD_LAYOUTS_TEST_GENERATED_FIELDS_H
+
+#include "generated_meshes.h"
+
+#include <CGAL/Quad_layouts/compute_cross_field.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+// Cross fields that are known or bad.
+namespace generated {
+
+constexpr double pi = 3.14159265358979323846;
+
+inline std::shared_ptr<const CGAL::Quad_layouts::internal::Triangle_surface>
+surface_of(const Mesh& mesh)
+{
+  using namespace CGAL::Quad_layouts::internal;
+  return std::make_shared<const Triangle_surface>(make_triangle_surface(mesh, mesh.points()));
+}
+
+// the field with a direction in each face that is given as a function of the face's centre, turned
+// by `angle(centre)`
+template <class Direction, class Angle>
+CGAL::Quad_layouts::Cross_field field_along(const Mesh& mesh, Direction direction, Angle angle)
+{
+  const auto surface = surface_of(mesh);
+  std::vector<Eigen::Vector3d> vectors;
+  for (int f = 0; f < surface->number_of_faces(); ++f) {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      center += surface->point(surface->source(h)) / 3;
+    const Eigen::Vector3d n = surface->normal(f);
+    Eigen::Vector3d u = direction(center);
+    u = (u - n * n.dot(u)).normalized();
+    vectors.push_back(std::cos(angle(center)) * u + std::sin(angle(center)) * n.cross(u));
+  }
+  return CGAL::Quad_layouts::internal::given_cross_field(surface, vectors);
+}
+
+// a direction at random in each face
+inline CGAL::Quad_layouts::Cross_field random_field(const Mesh& mesh, unsigned seed)
+{
+  const auto surface = surface_of(mesh);
+  std::mt19937 random(seed);
+  std::vector<Eigen::Vector3d> vectors;
+  for (int f = 0; f < surface->number_of_faces(); ++f)
+    vectors.push_back(surface->direction(f, 2 * pi * random() / double(random.max())));
+  return CGAL::Quad_layouts::internal::given_cross_field(surface, vectors);
+}
+
+} // namespace generated
+
+#endif // CGAL_QUAD_LAYOUTS_TEST_GENERATED_FIELDS_H
