@@ -12,24 +12,30 @@
 #include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/embedding/Layout_curves.h>
 #include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
-#include <CGAL/Quad_layouts/internal/embedding/Square_charts.h>
+#include <CGAL/Quad_layouts/internal/embedding/Layout_squares.h>
+#include <CGAL/Quad_layouts/internal/embedding/check_embedded_layout.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
 #include <vector>
 
 namespace QL = CGAL::Quad_layouts;
 using QL::Quad_layout;
-using QL::internal::Charted_mesh;
+using QL::internal::Curve_mesh;
 using QL::internal::Embedded_layout;
 using QL::internal::Triangle_surface;
 
 namespace {
 
+Embedded_layout drawn(const Embedding_case& c)
+{
+  return QL::internal::Layout_curves(c.t_mesh, c.layout, QL::internal::Monitor()).result();
+}
+
 // checks that the curves lead from vertex to vertex and meet nowhere else, and that no other edge
 // joins two of them
 void check_curves(const Embedded_layout& e, const Quad_layout& layout)
 {
-  const Charted_mesh& mesh = e.mesh;
+  const Curve_mesh& mesh = e.mesh;
   std::vector<int> at(mesh.points.size(), 0); // number of halfedges of curves that leave a vertex
   std::vector<int> pieces(layout.number_of_halfedges(), 0);
   int wrong = 0;
@@ -103,7 +109,7 @@ BOOST_AUTO_TEST_CASE(layouts_are_drawn)
   for (const Embedding_case& c : embedding_cases())
     BOOST_TEST_CONTEXT(c.name)
     {
-      const Embedded_layout e = QL::internal::Layout_curves(c.t_mesh, c.layout).result();
+      const Embedded_layout e = drawn(c);
       const Triangle_surface surface(e.mesh.points, e.mesh.triangles()); // throws unless manifold
       check_curves(e, c.layout);
       check_regions(e, c.layout);
@@ -122,10 +128,11 @@ BOOST_AUTO_TEST_CASE(reduction_keeps_curves_and_surface)
   for (const Embedding_case& c : embedding_cases())
     BOOST_TEST_CONTEXT(c.name)
     {
-      Embedded_layout e = QL::internal::Layout_curves(c.t_mesh, c.layout).result();
+      Embedded_layout e = drawn(c);
       const auto before = e.mesh.points.size();
       const Triangle_surface& surface = c.t_mesh.surface();
-      QL::internal::Overlay_reduction(e, surface.number_of_vertices());
+      QL::internal::Overlay_reduction(e, surface.number_of_vertices(),
+                                      QL::internal::Monitor());
       BOOST_TEST(e.mesh.points.size() < before);
       check_curves(e, c.layout);
       check_regions(e, c.layout);
@@ -147,17 +154,19 @@ BOOST_AUTO_TEST_CASE(charts_close_around_regular_vertices)
   for (const Embedding_case& c : embedding_cases())
     BOOST_TEST_CONTEXT(c.name)
     {
-      Embedded_layout e = QL::internal::Layout_curves(c.t_mesh, c.layout).result();
+      const Embedded_layout e = drawn(c);
+      QL::internal::check_embedded_layout(e, c.layout);
       const std::vector<int> length = QL::internal::chord_divisions(c.layout, 1);
-      QL::internal::Square_charts(e, c.layout, QL::internal::Layout_squares(c.layout, length));
+      const QL::internal::Layout_squares squares(c.layout, length);
       std::vector<int> turns(e.mesh.points.size(), 0);
       for (int v = 0; v < c.layout.number_of_vertices(); ++v)
         turns[e.vertices[v]] = (4 - c.layout.valence(v)) & 3;
       int wrong = 0;
       for (int v = 0; v < int(e.mesh.points.size()); ++v) {
         QL::internal::Chart_change around;
-        e.mesh.for_each_outgoing(
-            v, [&](int h) { around = e.mesh.transition[Charted_mesh::prev(h)].after(around); });
+        e.mesh.for_each_outgoing(v, [&](int h) {
+          around = squares.across(e.mesh.curve[Curve_mesh::prev(h)]).after(around);
+        });
         wrong += around.quarter_turns != turns[v];
         wrong += turns[v] == 0 && !around.translation.isZero(0);
       }

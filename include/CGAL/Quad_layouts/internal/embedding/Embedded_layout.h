@@ -7,7 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_EMBEDDED_LAYOUT_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_EMBEDDED_LAYOUT_H
 
-#include <CGAL/Quad_layouts/internal/embedding/Charted_mesh.h>
+#include <CGAL/Quad_layouts/internal/embedding/Curve_mesh.h>
 
 #include <vector>
 
@@ -19,7 +19,7 @@ namespace internal {
 // paths of edges. The curves of the mesh are the halfedges of the layout.
 struct Embedded_layout
 {
-  Charted_mesh mesh;
+  Curve_mesh mesh;
   std::vector<int> vertices; // per layout vertex its place on the mesh
 };
 

@@ -10,7 +10,10 @@
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Quantized_overlay.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,16 +36,19 @@ namespace internal {
 class Grid_lines
 {
 public:
-  explicit Grid_lines(Quantized_overlay& overlay)
+  Grid_lines(Quantized_overlay& overlay, const Monitor& monitor)
     : m_overlay(overlay), m_is_taken(overlay.mesh().points.size(), 0)
   {
     for (int h = 0; h < mesh().number_of_halfedges(); ++h)
       if (mesh().curve[h] >= 0)
         m_is_taken[mesh().source(h)] = 1;
     detach_boundaries();
-    for (int p = 0; p < overlay.t_mesh().number_of_faces(); ++p)
+    for (int p = 0; p < overlay.t_mesh().number_of_faces(); ++p) {
+      if (p % 256 == 0)
+        monitor.check("embed");
       if (has_lines(p))
         draw_grid(p);
+    }
   }
 
 private:
@@ -53,7 +59,7 @@ private:
     int vertex, next;
   };
 
-  const Charted_mesh& mesh() const { return m_overlay.mesh(); }
+  const Curve_mesh& mesh() const { return m_overlay.mesh(); }
   const Quad_layout::Grid& grid(int p) const { return m_overlay.layout().grids[p]; }
   bool has_lines(int p) const { return grid(p).width > 1 || grid(p).height > 1; }
 
@@ -122,8 +128,9 @@ private:
   {
     std::vector<int> result;
     int h = mesh().halfedge_between(c.vertex, c.next);
-    for (h = mesh().opposite(Charted_mesh::prev(h)); mesh().curve[h] < 0;
-         h = mesh().opposite(Charted_mesh::prev(h)))
+    CGAL_assertion(h >= 0);
+    for (h = mesh().opposite(Curve_mesh::prev(h)); mesh().curve[h] < 0;
+         h = mesh().opposite(Curve_mesh::prev(h)))
       result.push_back(h);
     return result;
   }

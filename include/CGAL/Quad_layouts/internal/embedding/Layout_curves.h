@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Embedded_layout.h>
 #include <CGAL/Quad_layouts/internal/embedding/Grid_lines.h>
 #include <CGAL/Quad_layouts/internal/embedding/Quantized_overlay.h>
@@ -36,27 +37,24 @@ namespace internal {
 class Layout_curves
 {
 public:
-  Layout_curves(const T_mesh& t_mesh, const Quad_layout& layout)
+  Layout_curves(const T_mesh& t_mesh, const Quad_layout& layout, const Monitor& monitor)
     : m_t_mesh(t_mesh), m_layout(layout)
   {
     Quantized_overlay overlay(t_mesh, layout);
-    Grid_lines{overlay};
+    Grid_lines(overlay, monitor);
     m_owner = preimages(overlay);
-    m_place.resize(m_owner.size());
-    std::transform(m_owner.begin(), m_owner.end(), m_place.begin(),
-                   [](int v) { return v >= 0 ? INSIDE : OUTSIDE; });
+    separate_preimages(overlay);
     choose_vertices();
-    choose_curves(overlay);
-    std::vector<char> is_contracted(overlay.mesh().number_of_halfedges());
-    for (int h = 0; h < int(is_contracted.size()); ++h)
-      is_contracted[h] = overlay.is_contracted(h);
+    std::vector<int> curves = chosen_curves(overlay);
     m_mesh = overlay.release_mesh();
-    m_mesh.curve = m_curve;
-    separate_preimages(is_contracted);
+    m_mesh.curve = std::move(curves);
     make_rims();
     find_exits();
-    for (int v = 0; v < layout.number_of_vertices(); ++v)
+    for (int v = 0; v < layout.number_of_vertices(); ++v) {
+      if (v % 256 == 0)
+        monitor.check("embed");
       connect(v);
+    }
     separate_curves();
   }
 
@@ -83,8 +81,9 @@ private:
     }
   }
 
-  // Of all arcs that are mapped to a layout edge, the longest is chosen.
-  void choose_curves(const Quantized_overlay& overlay)
+  // Per halfedge of the mesh the layout halfedge whose curve it is to be part of, or -1. Of all arcs
+  // that are mapped to a layout edge, the longest is chosen.
+  std::vector<int> chosen_curves(const Quantized_overlay& overlay) const
   {
     using Unit = std::pair<int, int>; // arc, number along the arc
     std::vector<std::pair<double, Unit>> longest(m_layout.number_of_edges(), {-1, {-1, -1}});
@@ -95,11 +94,12 @@ private:
         unit = (std::max)(unit, {m_t_mesh.length(a) / double(path.size()), {a, i}});
       }
     }
-    m_curve.assign(overlay.mesh().number_of_halfedges(), -1);
-    for (int h = 0; h < int(m_curve.size()); ++h)
+    std::vector<int> result(overlay.mesh().number_of_halfedges(), -1);
+    for (int h = 0; h < int(result.size()); ++h)
       if (const int l = overlay.layout_halfedge(h);
           l >= 0 && (!overlay.is_arc(h) || overlay.unit(h) == longest[l / 2].second))
-        m_curve[h] = l;
+        result[h] = l;
+    return result;
   }
 
   int split(int h, Place place, int owner)
@@ -109,19 +109,22 @@ private:
     return m_mesh.split(h);
   }
 
-  bool is_inside(int v) const { return m_place[v] == INSIDE; }
-
-  // splits the edges between vertices of preimages that are no parts of preimages themselves
-  void separate_preimages(const std::vector<char>& is_contracted)
+  // Splits the edges between vertices of preimages that are no parts of preimages themselves. What
+  // comes from a split is not split again.
+  void separate_preimages(Quantized_overlay& overlay)
   {
-    std::vector<std::pair<int, int>> edges;
-    for (int h = 0; h < int(is_contracted.size()); ++h)
-      if (h < m_mesh.opposite(h) && is_inside(m_mesh.source(h)) && is_inside(m_mesh.target(h)) &&
-          !is_contracted[h] && !is_contracted[m_mesh.opposite(h)])
-        edges.emplace_back(m_mesh.source(h), m_mesh.target(h));
-    for (const auto& [u, v] : edges)
-      split(m_mesh.halfedge_between(u, v), OUTSIDE, -1);
+    const Curve_mesh& mesh = overlay.mesh();
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (m_owner[mesh.source(h)] >= 0 && m_owner[mesh.target(h)] >= 0 &&
+          !overlay.is_contracted(h) && !overlay.is_contracted(mesh.opposite(h))) {
+        overlay.split(h);
+        m_owner.push_back(-1);
+      }
+    for (const int owner : m_owner)
+      m_place.push_back(owner >= 0 ? INSIDE : OUTSIDE);
   }
+
+  bool is_inside(int v) const { return m_place[v] == INSIDE; }
 
   // splits the edges that leave preimages
   void make_rims()
@@ -141,7 +144,7 @@ private:
     return -1;
   }
 
-  // The curves begin on the rims for now.
+  // takes the curves out of the discs, and notes where on the rims they begin
   void find_exits()
   {
     m_exit.assign(m_layout.number_of_halfedges(), -1);
@@ -199,10 +202,10 @@ private:
   void make_room(const std::vector<int>& path)
   {
     for (const int v : path)
-      for (const int w : neighbours(v)) {
-        const int h = m_mesh.halfedge_between(v, w);
+      for (const int h : m_mesh.outgoing(v)) {
+        const int w = m_mesh.target(h);
         const bool is_in_disc = m_owner[w] == m_owner[v] && !(is_on_rim(v) && is_on_rim(w));
-        if (h >= 0 && m_mesh.curve[h] < 0 && is_in_disc)
+        if (m_mesh.curve[h] < 0 && is_in_disc)
           split(h, INSIDE, m_owner[v]);
       }
   }
@@ -217,14 +220,6 @@ private:
     return false;
   }
 
-  std::vector<int> neighbours(int v) const
-  {
-    std::vector<int> result;
-    for (const int h : m_mesh.outgoing(v))
-      result.push_back(m_mesh.target(h));
-    return result;
-  }
-
   // splits edges that join two points of curves: no triangle shall have only such corners
   void separate_curves()
   {
@@ -232,19 +227,16 @@ private:
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_mesh.curve[h] >= 0)
         on_curve[m_mesh.source(h)] = 1;
-    std::vector<std::pair<int, int>> edges;
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      if (m_mesh.curve[h] < 0 && h < m_mesh.opposite(h) && on_curve[m_mesh.source(h)] &&
-          on_curve[m_mesh.target(h)])
-        edges.emplace_back(m_mesh.source(h), m_mesh.target(h));
-    for (const auto& [u, v] : edges)
-      split(m_mesh.halfedge_between(u, v), OUTSIDE, -1);
+      if (m_mesh.curve[h] < 0 && on_curve[m_mesh.source(h)] && on_curve[m_mesh.target(h)]) {
+        split(h, OUTSIDE, -1);
+        on_curve.push_back(0);
+      }
   }
 
   const T_mesh& m_t_mesh;
   const Quad_layout& m_layout;
-  Charted_mesh m_mesh{Triangle_surface()};
-  std::vector<int> m_curve;      // per halfedge of the mesh, before any split here
+  Curve_mesh m_mesh{Triangle_surface()};
   std::vector<int> m_owner;      // per vertex of the mesh the layout vertex in whose disc it is
   std::vector<Place> m_place;    // per vertex of the mesh
   std::vector<int> m_vertex;     // per layout vertex

@@ -17,6 +17,7 @@
 #include <CGAL/Quad_layouts/internal/embedding/Layout_curves.h>
 #include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
 #include <CGAL/Quad_layouts/internal/embedding/Square_map.h>
+#include <CGAL/Quad_layouts/internal/embedding/check_embedded_layout.h>
 #include <CGAL/Quad_layouts/internal/embedding/check_map.h>
 #include <CGAL/Quad_layouts/internal/embedding/coarse_to_fine.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
@@ -57,12 +58,13 @@ inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vect
 
 // Rounds coordinates to what transitions keep exactly, and tells what the corners have in the
 // charts of their faces.
-inline Integer_grid_map to_integer_grid_map(const Charted_mesh& mesh, const Map& map,
-                                            std::vector<int> chord_length)
+inline Integer_grid_map to_integer_grid_map(const Curve_mesh& mesh, const Layout_squares& squares,
+                                            const Map& map, std::vector<int> chord_length)
 {
   Integer_grid_map result;
   result.surface_pointer = std::make_shared<const Triangle_surface>(mesh.points, mesh.triangles());
-  result.halfedge_transition = mesh.transition;
+  for (const int l : mesh.curve)
+    result.halfedge_transition.push_back(squares.across(l));
   result.chord_length = std::move(chord_length);
   double largest = 1;
   for (const Map::Face& f : map.faces)
@@ -91,13 +93,13 @@ public:
 
   Integer_grid_map map() const
   {
-    Embedded_layout embedded = Layout_curves(m_t_mesh, m_layout).result();
+    Embedded_layout embedded = Layout_curves(m_t_mesh, m_layout, m_monitor).result();
     m_monitor.report("embed", 0.2);
-    Overlay_reduction(embedded, m_t_mesh.surface().number_of_vertices());
-    Square_charts(embedded, m_layout, m_squares);
+    Overlay_reduction(embedded, m_t_mesh.surface().number_of_vertices(), m_monitor);
+    check_embedded_layout(embedded, m_layout);
     m_monitor.report("embed", 0.3);
     const std::vector<Cone> cones = choose_cones(m_layout, embedded.vertices);
-    Integer_grid_map result = to_integer_grid_map(embedded.mesh, solve(embedded, cones),
+    Integer_grid_map result = to_integer_grid_map(embedded.mesh, m_squares, solve(embedded, cones),
                                                   m_chord_length);
     verify(result, cones);
     return result;
@@ -111,16 +113,16 @@ private:
     std::vector<char> is_cone(embedded.mesh.points.size(), 0);
     for (const Cone& c : cones)
       is_cone[c.vertex] = 1;
-    Map map = make_map(embedded.mesh, is_cone, m_unit);
+    Map map = make_map(embedded.mesh, m_squares, is_cone, m_unit);
     Vertex_removal levels(map, embedded.vertices, is_cone);
-    levels.simplify(4000 + 6 * m_layout.number_of_faces());
+    levels.simplify(4000 + 6 * m_layout.number_of_faces(), m_monitor);
     const int removals_of_coarse_mesh = levels.number_of_removals();
-    levels.simplify(0);
+    levels.simplify(0, m_monitor);
     m_monitor.report("embed", 0.4);
     Map coarsest = levels.coarse_map();
     Square_map(coarsest, embedded.vertices, m_layout, m_squares);
     map.coordinates = std::move(coarsest.coordinates);
-    constexpr double wide = 0.5; // what is narrow on the surface may be wide in the map for now
+    constexpr double wide = 0.5; // what is narrow on the surface may first be wide in the map
     restore(map, levels, removals_of_coarse_mesh, is_cone, m_monitor, wide);
     m_monitor.report("embed", 0.5);
     Map coarse = levels.coarse_map();

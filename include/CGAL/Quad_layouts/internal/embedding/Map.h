@@ -7,10 +7,12 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_MAP_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_MAP_H
 
-#include <CGAL/Quad_layouts/internal/embedding/Charted_mesh.h>
+#include <CGAL/Quad_layouts/internal/embedding/Curve_mesh.h>
+#include <CGAL/Quad_layouts/internal/embedding/Layout_squares.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -56,9 +58,11 @@ inline std::vector<std::vector<int>> stars(const Map& map)
   return result;
 }
 
-// Lists the charts of the corners of a charted mesh: the chart of a vertex is that of one of its
-// faces; about a cone the vertex is at the origin of its own chart.
-inline Map make_map(const Charted_mesh& mesh, const std::vector<char>& is_cone, double unit)
+// The map of a mesh on which a layout is drawn, without coordinates: the chart of a face is that of
+// the layout face in which it lies, so charts change along the curves. The chart of a vertex is that
+// of one of its faces; about a cone the vertex is at the origin of its own chart.
+inline Map make_map(const Curve_mesh& mesh, const Layout_squares& squares,
+                    const std::vector<char>& is_cone, double unit)
 {
   Map map;
   map.coordinates.assign(mesh.points.size(), Point2(0, 0));
@@ -66,15 +70,20 @@ inline Map make_map(const Charted_mesh& mesh, const std::vector<char>& is_cone, 
     map.points.push_back(p / unit);
   for (const auto& t : mesh.triangles())
     map.faces.push_back({t, {}, {-1, -1, -1}});
+  const auto is_on_curve = [&](int h) { return mesh.curve[h] >= 0; };
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     map.faces[h / 3].curve[h % 3] = mesh.curve[h];
   for (int v = 0; v < int(mesh.points.size()); ++v) {
+    std::vector<int> around = mesh.outgoing(v);
+    if (is_cone[v]) // where curves begin, their squares tell the place
+      std::rotate(around.begin(), std::find_if(around.begin(), around.end(), is_on_curve),
+                  around.end());
     Chart_change chart;
-    for (const int h : mesh.outgoing(v)) {
-      if (is_cone[v])
-        chart.translation = mesh.position[h];
+    for (const int h : around) {
+      if (is_cone[v] && is_on_curve(h))
+        chart.translation = squares.point(mesh.curve[h], 0);
       map.faces[h / 3].chart[h % 3] = chart;
-      chart = mesh.transition[Charted_mesh::prev(h)].after(chart);
+      chart = squares.across(mesh.curve[Curve_mesh::prev(h)]).after(chart);
     }
     CGAL_assertion(is_cone[v] || (chart.quarter_turns == 0 && chart.translation.isZero(0)));
   }

@@ -47,8 +47,9 @@ public:
         m_half[m_outgoing[v][i]].source = v;
         m_half[m_outgoing[v][i]].slot = i;
       }
-    make_pieces();
+    find_pieces();
     spread_patches();
+    triangulate();
   }
 
   std::vector<Point> points; // those of the surface first
@@ -64,7 +65,7 @@ private:
   // in the last bit
   struct Half
   {
-    int source = -1, slot = -1, arc_halfedge = -1;
+    int source = -1, slot = -1, arc_halfedge = -1, piece = -1;
     bool is_original = false;
     Place place; // of the corner on its left at its source
   };
@@ -197,21 +198,61 @@ private:
     return around[(twin.slot + around.size() - 1) % around.size()];
   }
 
-  void make_pieces()
+  void find_pieces()
   {
-    std::vector<char> done(m_half.size(), 0);
     for (int first = 0; first < int(m_half.size()); ++first) {
-      if (done[first])
+      if (m_half[first].piece >= 0)
         continue;
-      std::vector<int> piece;
-      for (int h = first; !done[h]; h = next(h)) {
-        done[h] = 1;
-        piece.push_back(h);
-      }
-      if (piece.size() == 3)
-        add_triangle(piece);
+      for (int h = first; m_half[h].piece < 0; h = next(h))
+        m_half[h].piece = int(m_first_half.size());
+      m_first_half.push_back(first);
+    }
+  }
+
+  template <class Action>
+  void for_each_half(int piece, Action&& action) const
+  {
+    int h = m_first_half[piece];
+    do {
+      action(h);
+      h = next(h);
+    } while (h != m_first_half[piece]);
+  }
+
+  // Pieces beside an arc know their patch; the others have that of their neighbours.
+  void spread_patches()
+  {
+    m_patch.assign(m_first_half.size(), -1);
+    std::vector<int> stack;
+    const auto set_patch = [&](int piece, int patch) {
+      CGAL_assertion(m_patch[piece] < 0 || m_patch[piece] == patch);
+      if (m_patch[piece] < 0)
+        stack.push_back(piece);
+      m_patch[piece] = patch;
+    };
+    for (const Half& h : m_half)
+      if (h.place.halfedge >= 0)
+        set_patch(h.piece, m_t_mesh.face(h.place.halfedge));
+    while (!stack.empty()) {
+      const int piece = stack.back();
+      stack.pop_back();
+      for_each_half(piece, [&](int h) {
+        if (m_half[h].arc_halfedge < 0)
+          set_patch(m_half[h ^ 1].piece, m_patch[piece]);
+      });
+    }
+  }
+
+  void triangulate()
+  {
+    for (int p = 0; p < int(m_first_half.size()); ++p) {
+      std::vector<int> halves;
+      for_each_half(p, [&](int h) { halves.push_back(h); });
+      if (halves.size() == 3)
+        add_triangle(halves);
       else
-        add_star(piece);
+        add_star(halves);
+      patch.resize(triangles.size(), m_patch[p]);
     }
   }
 
@@ -223,22 +264,22 @@ private:
     place.push_back(half.place);
   }
 
-  void add_triangle(const std::vector<int>& piece)
+  void add_triangle(const std::vector<int>& halves)
   {
     triangles.emplace_back();
-    for (const int h : piece)
+    for (const int h : halves)
       add_corner(m_half[h]);
   }
 
-  void add_star(const std::vector<int>& piece)
+  void add_star(const std::vector<int>& halves)
   {
     Half center;
     center.source = int(points.size());
     Point sum(0, 0, 0);
-    for (const int h : piece)
+    for (const int h : halves)
       sum += points[m_half[h].source];
-    points.push_back(sum / double(piece.size()));
-    for (const int h : piece) {
+    points.push_back(sum / double(halves.size()));
+    for (const int h : halves) {
       Half spoke = m_half[next(h)];
       spoke.arc_halfedge = -1;
       spoke.is_original = false;
@@ -249,36 +290,12 @@ private:
     }
   }
 
-  // Triangles beside an arc know their patch; the others have that of their neighbours.
-  void spread_patches()
-  {
-    const Triangle_surface overlay(points, triangles);
-    patch.assign(triangles.size(), -1);
-    std::vector<int> stack;
-    for (int h = 0; h < int(place.size()); ++h)
-      if (place[h].halfedge >= 0 && patch[h / 3] < 0) {
-        patch[h / 3] = m_t_mesh.face(place[h].halfedge);
-        stack.push_back(h / 3);
-      }
-    while (!stack.empty()) {
-      const int f = stack.back();
-      stack.pop_back();
-      for (int h = 3 * f; h < 3 * f + 3; ++h)
-        if (const int g = overlay.opposite(h) / 3; arc_halfedge[h] < 0) {
-          CGAL_assertion(patch[g] < 0 || patch[g] == patch[f]);
-          if (patch[g] < 0) {
-            patch[g] = patch[f];
-            stack.push_back(g);
-          }
-        }
-    }
-  }
-
   const T_mesh& m_t_mesh;
   const Triangle_surface& m_surface;
   std::vector<int> m_first_crossing, m_node_vertex, m_first_of_edge, m_first_of_arc;
   std::vector<std::vector<int>> m_outgoing; // per vertex, counter-clockwise
   std::vector<Half> m_half;
+  std::vector<int> m_first_half, m_patch; // per piece
 };
 
 } // namespace internal

@@ -7,10 +7,13 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_REDUCTION_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_OVERLAY_REDUCTION_H
 
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Embedded_layout.h>
+#include <CGAL/Quad_layouts/internal/embedding/triangle_shape.h>
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +30,7 @@ class Overlay_reduction
 {
 public:
   // the first `number_of_originals` vertices are those of the surface
-  Overlay_reduction(Embedded_layout& embedded, int number_of_originals)
+  Overlay_reduction(Embedded_layout& embedded, int number_of_originals, const Monitor& monitor)
     : m_mesh(embedded.mesh), m_is_held(m_mesh.points.size(), 0),
       m_on_curve(m_mesh.points.size(), 0), m_seen_from(m_mesh.points.size(), -1)
   {
@@ -38,7 +41,7 @@ public:
       if (m_mesh.curve[h] >= 0)
         m_on_curve[m_mesh.source(h)] = 1;
     while (remove_some())
-      ;
+      monitor.check("embed");
     const std::vector<int> new_number = m_mesh.compact();
     for (int& v : embedded.vertices)
       v = new_number[v];
@@ -65,7 +68,8 @@ private:
     m_mesh.for_each_outgoing(u, [&](int h) {
       if (is_line(h))
         m_lines.push_back(h);
-      m_normal += normal(u, h);
+      const auto [a, b] = others(h);
+      m_normal += triangle_normal(m_mesh.points[u], a, b);
     });
     if (m_lines.size() == 2 && is_same_line(m_lines[0], m_lines[1]))
       return better(m_lines[0], m_lines[1]);
@@ -99,9 +103,10 @@ private:
   }
 
   static constexpr double forbidden = -(std::numeric_limits<double>::infinity)();
+  static constexpr double degenerate = 1e-9;
 
-  // The quality of the worst triangle that remains after the collapse of h, 1 for an equilateral
-  // one; -1 if one of them would be inverted. Triangles without area have no direction.
+  // The quality of the worst triangle that remains after the collapse of h; forbidden if one of
+  // them would be inverted. Degenerate ones have no direction.
   double quality_without(int h)
   {
     if (!keeps_manifold(h) || adds_chord(h))
@@ -109,33 +114,23 @@ private:
     double worst = 1;
     const int u = m_mesh.source(h), v = m_mesh.target(h);
     m_mesh.for_each_outgoing(u, [&](int g) {
-      const int end = Charted_mesh::prev(g);
+      const int end = Curve_mesh::prev(g);
       if (m_mesh.target(g) == v || m_mesh.source(end) == v)
         return;
-      const Point n = normal(v, g);
-      const double area = n.norm(), longest = squared_length(v, g);
-      if (area > 1e-9 * longest && n.dot(m_normal) < 0.5 * area * m_normal.norm())
+      const auto [a, b] = others(g);
+      const Point n = triangle_normal(m_mesh.points[v], a, b);
+      const double quality = triangle_quality(m_mesh.points[v], a, b);
+      if (quality > degenerate && n.dot(m_normal) < 0.5 * n.norm() * m_normal.norm())
         worst = forbidden;
-      worst = (std::min)(worst, longest > 0 ? area / longest : 0.);
+      worst = (std::min)(worst, quality);
     });
     return worst;
   }
 
-  // twice the area of the triangle of g with its first corner at p, as a vector
-  Point normal(int p, int g) const
+  // the corners of the face of g that its source does not take
+  std::pair<const Point&, const Point&> others(int g) const
   {
-    const Point &a = m_mesh.points[m_mesh.target(g)],
-                &b = m_mesh.points[m_mesh.source(Charted_mesh::prev(g))];
-    return (a - m_mesh.points[p]).cross(b - m_mesh.points[p]);
-  }
-
-  // of the longest side of that triangle
-  double squared_length(int p, int g) const
-  {
-    const Point &a = m_mesh.points[m_mesh.target(g)],
-                &b = m_mesh.points[m_mesh.source(Charted_mesh::prev(g))];
-    const Point& c = m_mesh.points[p];
-    return (std::max)({(a - c).squaredNorm(), (b - c).squaredNorm(), (b - a).squaredNorm()});
+    return {m_mesh.points[m_mesh.target(g)], m_mesh.points[m_mesh.source(Curve_mesh::prev(g))]};
   }
 
   // the link condition
@@ -154,8 +149,8 @@ private:
   {
     if (m_mesh.curve[h] >= 0 || !m_on_curve[m_mesh.target(h)])
       return false;
-    const int left = m_mesh.source(Charted_mesh::prev(h)),
-              right = m_mesh.source(Charted_mesh::prev(m_mesh.opposite(h)));
+    const int left = m_mesh.source(Curve_mesh::prev(h)),
+              right = m_mesh.source(Curve_mesh::prev(m_mesh.opposite(h)));
     bool result = false;
     m_mesh.for_each_outgoing(m_mesh.source(h), [&](int g) {
       const int w = m_mesh.target(g);
@@ -164,7 +159,7 @@ private:
     return result;
   }
 
-  Charted_mesh& m_mesh;
+  Curve_mesh& m_mesh;
   std::vector<char> m_is_held, m_on_curve; // per vertex
   std::vector<int> m_seen_from;            // per vertex, scratch of `keeps_manifold`
   std::vector<int> m_lines;                // at the present vertex

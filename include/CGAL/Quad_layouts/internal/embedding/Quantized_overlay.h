@@ -9,7 +9,7 @@
 
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
-#include <CGAL/Quad_layouts/internal/embedding/Charted_mesh.h>
+#include <CGAL/Quad_layouts/internal/embedding/Curve_mesh.h>
 #include <CGAL/Quad_layouts/internal/embedding/Overlay.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ public:
     : m_t_mesh(t_mesh), m_layout(layout)
   {
     Overlay overlay(t_mesh);
-    m_mesh = Charted_mesh(Triangle_surface(overlay.points, overlay.triangles));
+    m_mesh = Curve_mesh(Triangle_surface(overlay.points, overlay.triangles));
     m_mesh.curve = std::move(overlay.arc_halfedge);
     m_mesh.is_original = std::move(overlay.is_original);
     m_patch = std::move(overlay.patch);
@@ -42,13 +42,12 @@ public:
     m_is_node.assign(m_mesh.points.size(), 0);
     place_on_arcs(overlay.place);
     split_arcs();
-    list_arc_vertices();
   }
 
   const T_mesh& t_mesh() const { return m_t_mesh; }
   const Quad_layout& layout() const { return m_layout; }
-  const Charted_mesh& mesh() const { return m_mesh; }
-  Charted_mesh release_mesh() { return std::move(m_mesh); }
+  const Curve_mesh& mesh() const { return m_mesh; }
+  Curve_mesh release_mesh() { return std::move(m_mesh); }
 
   // the patch of the T-mesh in which a triangle is
   int patch(int face) const { return m_patch[face]; }
@@ -93,9 +92,13 @@ public:
   // the vertices along a halfedge of the T-mesh
   std::vector<int> vertices(int arc) const
   {
-    std::vector<int> result = m_arc_vertices[arc / 2];
-    if (arc % 2 != 0)
-      std::reverse(result.begin(), result.end());
+    std::vector<int> result{m_start[arc]};
+    do
+      m_mesh.for_each_outgoing(result.back(), [&](int h) {
+        if (m_mesh.curve[h] == arc)
+          result.push_back(m_mesh.target(h));
+      });
+    while (!m_is_node[result.back()]);
     return result;
   }
 
@@ -105,10 +108,12 @@ public:
     return arc % 2 == 0 ? m_along[v] : length(arc) - m_along[v];
   }
 
-  // splits an edge that is no arc
+  // splits the edge of h in the middle
   int split(int h)
   {
+    const double middle = is_arc(h) ? (along(h) + along(m_mesh.opposite(h))) / 2 : 0;
     add_vertex(h);
+    m_along.back() = middle;
     return m_mesh.split(h);
   }
 
@@ -138,8 +143,10 @@ private:
 
   void place_on_arcs(const std::vector<Overlay::Place>& place)
   {
+    m_start.resize(m_t_mesh.number_of_halfedges());
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (place[h].halfedge >= 0 && place[h].fraction == 0) {
+        m_start[place[h].halfedge] = m_mesh.source(h);
         m_is_node[m_mesh.source(h)] = 1;
         m_layout_vertex[m_mesh.source(h)] =
             m_layout.node_vertex[m_t_mesh.source(place[h].halfedge)];
@@ -180,34 +187,14 @@ private:
         }
   }
 
-  void list_arc_vertices()
-  {
-    m_arc_vertices.resize(m_t_mesh.number_of_edges());
-    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      if (m_mesh.curve[h] >= 0 && m_mesh.curve[h] % 2 == 0 && m_is_node[m_mesh.source(h)])
-        list_arc_vertices(h);
-  }
-
-  void list_arc_vertices(int h)
-  {
-    const int arc = m_mesh.curve[h];
-    std::vector<int>& result = m_arc_vertices[arc / 2];
-    result = {m_mesh.source(h), m_mesh.target(h)};
-    while (!m_is_node[result.back()])
-      m_mesh.for_each_outgoing(result.back(), [&](int g) {
-        if (m_mesh.curve[g] == arc)
-          result.push_back(m_mesh.target(g));
-      });
-  }
-
   const T_mesh& m_t_mesh;
   const Quad_layout& m_layout;
-  Charted_mesh m_mesh{Triangle_surface()};
+  Curve_mesh m_mesh{Triangle_surface()};
   std::vector<int> m_patch;         // per triangle
   std::vector<int> m_layout_vertex; // per vertex
   std::vector<double> m_along;      // per vertex inside of an arc: how far from the arc's start
   std::vector<char> m_is_node;      // per vertex
-  std::vector<std::vector<int>> m_arc_vertices;
+  std::vector<int> m_start;         // per halfedge of the T-mesh: the vertex where it begins
 };
 
 } // namespace internal

@@ -9,9 +9,9 @@
 
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/embedding/Layout_squares.h>
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
 #include <CGAL/Quad_layouts/internal/embedding/Mean_coordinates.h>
-#include <CGAL/Quad_layouts/internal/embedding/Square_charts.h>
 
 #include <map>
 #include <string>

@@ -7,7 +7,9 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_VERTEX_REMOVAL_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_VERTEX_REMOVAL_H
 
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
+#include <CGAL/Quad_layouts/internal/embedding/triangle_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,14 +58,14 @@ public:
 
   // Removes vertices, along the shortest edges first, until `target` faces are left or none may go.
   // Where curves run closely together, triangles are too narrow for all care.
-  void simplify(int target)
+  void simplify(int target, const Monitor& monitor)
   {
     bound_edges(target);
     for (const Care care : {SHAPES, NORMALS, NONE}) {
       m_care = care;
       for (std::size_t v = 0; v < m_star.size(); ++v)
         enqueue(int(v));
-      collapse_queued(target);
+      collapse_queued(target, monitor);
     }
   }
 
@@ -104,6 +106,14 @@ public:
 
   const std::vector<int>& star(int v) const { return m_star[v]; }
 
+  std::vector<int> neighbours(int u) const
+  {
+    std::vector<int> result;
+    for (const int f : m_star[u])
+      result.push_back(next_around(f, u));
+    return result;
+  }
+
 private:
   // what a collapse must keep: the shapes and normals of triangles, or their normals only, or
   // neither
@@ -116,9 +126,11 @@ private:
     list.erase(std::find(list.begin(), list.end(), x));
   }
 
-  void collapse_queued(int target)
+  void collapse_queued(int target, const Monitor& monitor)
   {
-    while (m_number_of_faces > target && !m_queue.empty()) {
+    for (int i = 0; m_number_of_faces > target && !m_queue.empty(); ++i) {
+      if (i % 4096 == 0)
+        monitor.check("embed");
       const auto [cost, u, v] = m_queue.top();
       m_queue.pop();
       m_is_queued[u] = 0;
@@ -140,8 +152,8 @@ private:
   {
     double area = 0;
     for (const Map::Face& f : m_map.faces)
-      area += normal(m_map.points[f.vertex[0]], m_map.points[f.vertex[1]],
-                     m_map.points[f.vertex[2]])
+      area += triangle_normal(m_map.points[f.vertex[0]], m_map.points[f.vertex[1]],
+                              m_map.points[f.vertex[2]])
                   .norm() /
               2;
     m_longest = 2 * std::sqrt(4 / std::sqrt(3.) * area / target);
@@ -152,22 +164,12 @@ private:
     if (m_is_queued[u] || m_kind[u] == HELD || m_star[u].empty())
       return;
     Entry best(forbidden, u, -1);
-    for (const int f : m_star[u]) {
-      const int v = next_around(f, u);
+    for (const int v : neighbours(u))
       best = (std::min)(best, Entry(cost_of_collapse(u, v), u, v));
-    }
     if (std::get<0>(best) == forbidden)
       return;
     m_queue.push(best);
     m_is_queued[u] = 1;
-  }
-
-  std::vector<int> neighbours(int u) const
-  {
-    std::vector<int> result;
-    for (const int f : m_star[u])
-      result.push_back(next_around(f, u));
-    return result;
   }
 
   double cost_of_collapse(int u, int v)
@@ -229,31 +231,19 @@ private:
       const int k = face.corner_of(u);
       const Point &a = m_map.points[face.vertex[(k + 1) % 3]],
                   &b = m_map.points[face.vertex[(k + 2) % 3]];
-      const Point before = normal(m_map.points[u], a, b);
-      worst_before = (std::min)(worst_before, quality(m_map.points[u], a, b));
+      const Point before = triangle_normal(m_map.points[u], a, b);
+      worst_before = (std::min)(worst_before, triangle_quality(m_map.points[u], a, b));
       if (face.has(v))
         continue;
-      const Point after = normal(m_map.points[v], a, b);
+      const Point after = triangle_normal(m_map.points[v], a, b);
       const double cosine = before.dot(after) / (before.norm() * after.norm());
       if (!(cosine > 0.5) || (m_map.points[v] - a).norm() > m_longest)
         return forbidden;
       change = (std::max)(change, 1 - cosine);
-      worst_after = (std::min)(worst_after, quality(m_map.points[v], a, b));
+      worst_after = (std::min)(worst_after, triangle_quality(m_map.points[v], a, b));
     }
     return m_care == SHAPES && worst_after < (std::min)(0.3, 0.9 * worst_before) ? forbidden
                                                                                  : change;
-  }
-
-  static Point normal(const Point& p, const Point& q, const Point& r)
-  {
-    return (q - p).cross(r - p);
-  }
-
-  // 1 for an equilateral triangle, 0 for one without area
-  static double quality(const Point& p, const Point& q, const Point& r)
-  {
-    return 2 * std::sqrt(3.) * normal(p, q, r).norm() /
-           ((q - p).squaredNorm() + (r - q).squaredNorm() + (p - r).squaredNorm());
   }
 
   void collapse(int u, int v)

@@ -73,8 +73,8 @@ inline void restore(Map& map, Vertex_removal& levels, int left, const std::vecto
     if (!Vertex_neighbourhood(map, v, levels.star(v), aspect).find_center(map.coordinates[v]))
       throw Stage_failure("embed: there is no room in the map for vertex " + std::to_string(v));
     improve_vertex(map, levels, v, 4, aspect);
-    for (const int f : levels.star(v))
-      if (const int w = map.faces[f].vertex[(map.faces[f].corner_of(v) + 1) % 3]; !is_fixed[w])
+    for (const int w : levels.neighbours(v))
+      if (!is_fixed[w])
         improve_vertex(map, levels, w, 1, aspect);
   }
 }

@@ -25,7 +25,7 @@ namespace internal {
 // patches of size zero and of lines through patches of zero width.
 inline std::vector<int> preimages(const Quantized_overlay& overlay)
 {
-  const Charted_mesh& mesh = overlay.mesh();
+  const Curve_mesh& mesh = overlay.mesh();
   const int n = int(mesh.points.size());
   Disjoint_sets sets(n);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)

@@ -4,10 +4,9 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHARTED_MESH_H
-#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHARTED_MESH_H
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CURVE_MESH_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CURVE_MESH_H
 
-#include <CGAL/Quad_layouts/Integer_grid_map.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
 #include <algorithm>
@@ -19,20 +18,17 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-using Chart_change = Integer_grid_map::Transition;
-
-// A triangle mesh with a chart per face, whose edges can be split and collapsed.
+// A triangle mesh with curves along its edges, which can be split and collapsed.
 //
-// Halfedges are numbered as in Triangle_surface. New vertices and faces are appended; a face keeps
-// its number and chart when it is split, and its new part gets the same chart. What collapses
-// remove stays in the arrays, without connections, until `compact()`.
-class Charted_mesh
+// Halfedges are numbered as in Triangle_surface. New vertices and faces are appended. When a halfedge
+// is split, those that leave its source keep their numbers. What collapses remove stays in the
+// arrays, without connections, until `compact()`.
+class Curve_mesh
 {
 public:
-  explicit Charted_mesh(const Triangle_surface& surface)
-    : points(surface.points()), transition(surface.number_of_halfedges()),
-      position(surface.number_of_halfedges(), Point2(0, 0)),
-      curve(surface.number_of_halfedges(), -1), is_original(surface.number_of_halfedges(), 0)
+  explicit Curve_mesh(const Triangle_surface& surface)
+    : points(surface.points()), curve(surface.number_of_halfedges(), -1),
+      is_original(surface.number_of_halfedges(), 0)
   {
     for (int h = 0; h < surface.number_of_halfedges(); ++h) {
       m_source.push_back(surface.source(h));
@@ -74,10 +70,12 @@ public:
   // the halfedge from u to v, -1 if there is none
   int halfedge_between(int u, int v) const
   {
-    const std::vector<int> halfedges = outgoing(u);
-    const auto found = std::find_if(halfedges.begin(), halfedges.end(),
-                                    [&](int h) { return target(h) == v; });
-    return found == halfedges.end() ? -1 : *found;
+    int result = -1;
+    for_each_outgoing(u, [&](int h) {
+      if (target(h) == v)
+        result = h;
+    });
+    return result;
   }
 
   std::vector<std::array<int, 3>> triangles() const
@@ -94,8 +92,8 @@ public:
     const int m = int(points.size()), v = target(h), twin = m_opposite[h];
     points.push_back((1 - t) * points[m_source[h]] + t * points[v]);
     // the faces of h and its twin keep their corners at the source of h; the rest goes to new faces
-    const int front = split_face(h, m, t, false), back = split_face(twin, m, 1 - t, true);
-    glue(front, back, transition[h]);
+    const int front = split_face(h, m, false), back = split_face(twin, m, true);
+    glue(front, back);
     curve[front] = curve[h];
     curve[back] = curve[twin];
     is_original[front] = is_original[back] = is_original[h];
@@ -105,8 +103,7 @@ public:
   }
 
   // Moves the source of h to its target, which removes the source and the faces on both sides of h.
-  // The ends of h must have two common neighbours, and the charts be the same all around the
-  // source.
+  // The ends of h must have two common neighbours.
   void collapse(int h)
   {
     const int u = m_source[h], v = target(h), twin = m_opposite[h];
@@ -141,8 +138,6 @@ public:
       if (const int g = new_halfedge[h]; g >= 0) {
         m_source[g] = new_vertex[m_source[h]];
         m_opposite[g] = new_halfedge[m_opposite[h]];
-        transition[g] = transition[h];
-        position[g] = position[h];
         curve[g] = curve[h];
         is_original[g] = is_original[h];
       }
@@ -152,38 +147,28 @@ public:
       h = new_halfedge[h];
     m_source.resize(halfedges);
     m_opposite.resize(halfedges);
-    transition.resize(halfedges);
-    position.resize(halfedges);
     curve.resize(halfedges);
     is_original.resize(halfedges);
     return new_vertex;
   }
 
   std::vector<Point> points;
-  std::vector<Chart_change>
-      transition; // per halfedge, from the chart of its face to that on the other side
-  std::vector<Point2> position; // per corner: its place in the chart of the face, where it is known
-  std::vector<int> curve;       // per halfedge: what it runs along, or -1
+  std::vector<int> curve;        // per halfedge: what it runs along, or -1
   std::vector<char> is_original; // per halfedge: whether it is part of an edge of the surface
 
 private:
   // Cuts the face of h from a new vertex m on h to the opposite corner. The part at the target of h
   // becomes a new face, or that at the source if `keep_target`. Returns the half of h that is in
   // the new face.
-  int split_face(int h, int m, double t, bool keep_target)
+  int split_face(int h, int m, bool keep_target)
   {
-    const Point2 place = (1 - t) * position[h] + t * position[next(h)];
     const int n = next(h), p = prev(h), first = number_of_halfedges();
     const std::array<int, 3> corners = keep_target
                                            ? std::array<int, 3>{m_source[h], m, m_source[p]}
                                            : std::array<int, 3>{m, m_source[n], m_source[p]};
-    const std::array<int, 3> old = keep_target ? std::array<int, 3>{h, h, p}
-                                               : std::array<int, 3>{h, n, p};
-    for (int k = 0; k < 3; ++k) {
-      m_source.push_back(corners[k]);
+    for (const int corner : corners) {
+      m_source.push_back(corner);
       m_opposite.push_back(-1);
-      transition.push_back({});
-      position.push_back(corners[k] == m ? place : Point2(position[old[k]]));
       curve.push_back(-1);
       is_original.push_back(0);
     }
@@ -191,13 +176,12 @@ private:
     // place
     const int moved = keep_target ? p : n, heir = keep_target ? first + 2 : first + 1;
     const int cut = keep_target ? first + 1 : first + 2;
-    glue(heir, m_opposite[moved], transition[moved]);
+    glue(heir, m_opposite[moved]);
     curve[heir] = std::exchange(curve[moved], -1);
     is_original[heir] = std::exchange(is_original[moved], 0);
-    glue(moved, cut, {});
+    glue(moved, cut);
     m_vertex_halfedge[m_source[p]] = keep_target ? first + 2 : p;
     m_source[keep_target ? h : n] = m;
-    position[keep_target ? h : n] = place;
     return first;
   }
 
@@ -208,17 +192,15 @@ private:
     curve[a] = (std::max)(curve[a], curve[second]);
     curve[b] = (std::max)(curve[b], curve[first]);
     is_original[a] = is_original[b] = is_original[a] | is_original[b];
-    glue(a, b, transition[second].after(transition[a]));
+    glue(a, b);
     m_vertex_halfedge[m_source[a]] = a;
     return b;
   }
 
-  void glue(int h, int g, const Chart_change& change)
+  void glue(int h, int g)
   {
     m_opposite[h] = g;
     m_opposite[g] = h;
-    transition[h] = change;
-    transition[g] = change.inverse();
   }
 
   std::vector<int> m_source, m_opposite, m_vertex_halfedge;
@@ -228,4 +210,4 @@ private:
 } // namespace Quad_layouts
 } // namespace CGAL
 
-#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHARTED_MESH_H
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CURVE_MESH_H

@@ -4,30 +4,30 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE Charted_mesh
+#define BOOST_TEST_MODULE Curve_mesh
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
-#include <CGAL/Quad_layouts/internal/embedding/Charted_mesh.h>
+#include <CGAL/Quad_layouts/internal/embedding/Curve_mesh.h>
 
 #include <algorithm>
 #include <random>
 #include <vector>
 
 namespace QL = CGAL::Quad_layouts;
-using QL::internal::Charted_mesh;
+using QL::internal::Curve_mesh;
 using QL::internal::Triangle_surface;
 
 namespace {
 
-Charted_mesh charted(const generated::Mesh& mesh)
+Curve_mesh charted(const generated::Mesh& mesh)
 {
-  return Charted_mesh(QL::compute_cross_field(mesh).surface());
+  return Curve_mesh(QL::compute_cross_field(mesh).surface());
 }
 
-int common_neighbours(const Charted_mesh& mesh, int u, int v)
+int common_neighbours(const Curve_mesh& mesh, int u, int v)
 {
   int result = 0;
   for (const int g : mesh.outgoing(u))
@@ -36,7 +36,7 @@ int common_neighbours(const Charted_mesh& mesh, int u, int v)
 }
 
 // checks what `Triangle_surface` does not, and lets it check the rest
-void check(const Charted_mesh& mesh)
+void check(const Curve_mesh& mesh)
 {
   const Triangle_surface surface(mesh.points, mesh.triangles());
   int wrong = 0;
@@ -54,16 +54,16 @@ void check(const Charted_mesh& mesh)
              2);
 }
 
-int number_of_marks(const Charted_mesh& mesh)
+int number_of_marks(const Curve_mesh& mesh)
 {
   return int(std::count(mesh.is_original.begin(), mesh.is_original.end(), 1));
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(splits_keep_marks_and_charts)
+BOOST_AUTO_TEST_CASE(splits_keep_marks)
 {
-  Charted_mesh mesh = charted(generated::icosphere(2));
+  Curve_mesh mesh = charted(generated::icosphere(2));
   std::mt19937 random(1);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     mesh.is_original[h] = 1;
@@ -82,10 +82,10 @@ BOOST_AUTO_TEST_CASE(splits_keep_marks_and_charts)
 
 BOOST_AUTO_TEST_CASE(collapses_undo_splits)
 {
-  Charted_mesh mesh = charted(generated::icosphere(2));
+  Curve_mesh mesh = charted(generated::icosphere(2));
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     mesh.is_original[h] = 1;
-  const Charted_mesh before = mesh;
+  const Curve_mesh before = mesh;
   const int vertices = int(mesh.points.size());
   for (int h = 0; h < 100; ++h)
     if (mesh.is_original[h])
@@ -112,14 +112,14 @@ BOOST_AUTO_TEST_CASE(collapses_undo_splits)
 BOOST_AUTO_TEST_CASE(collapses_keep_curves)
 {
   // a closed curve around a vertex
-  Charted_mesh mesh = charted(generated::icosphere(3));
+  Curve_mesh mesh = charted(generated::icosphere(3));
   for (const int h : mesh.outgoing(0)) {
-    mesh.curve[Charted_mesh::next(h)] = 0;
-    mesh.curve[mesh.opposite(Charted_mesh::next(h))] = 1;
+    mesh.curve[Curve_mesh::next(h)] = 0;
+    mesh.curve[mesh.opposite(Curve_mesh::next(h))] = 1;
   }
   const auto length = [&] { return std::count(mesh.curve.begin(), mesh.curve.end(), 0); };
   const auto before = length();
-  const int outside = mesh.target(mesh.opposite(Charted_mesh::next(mesh.outgoing(0).front())));
+  const int outside = mesh.target(mesh.opposite(Curve_mesh::next(mesh.outgoing(0).front())));
   // a vertex on the curve goes along it
   for (const int h : mesh.outgoing(outside))
     if (mesh.curve[h] >= 0 && common_neighbours(mesh, outside, mesh.target(h)) == 2) {
