@@ -43,7 +43,7 @@ public:
   void run(int number_of_iterations, const Monitor& monitor)
   {
     const int n = number_of_iterations;
-    Quad_untangler(m_quads).unfold();
+    Quad_untangler(m_quads, monitor).unfold();
     for (int i = 0; i < 2 * n; ++i) {
       monitor.report("smooth_quad_mesh", double(i) / (4 * n));
       sweep_unsettled([this](int v) { m_steps.relax(v); });
@@ -53,7 +53,7 @@ public:
       sweep_unsettled([this](int v) { m_steps.improve_shape(v); });
     }
     polish_worst();
-    Quad_untangler(m_quads).repair();
+    Quad_untangler(m_quads, monitor).repair();
   }
 
 private:

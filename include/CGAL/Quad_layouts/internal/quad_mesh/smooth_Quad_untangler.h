@@ -7,10 +7,13 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_QUAD_UNTANGLER_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_QUAD_UNTANGLER_H
 
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quads_on_surface.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Vertex_steps.h>
+
+#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -36,7 +39,10 @@ class Quad_untangler
 public:
   using Vector = Eigen::Vector3d;
 
-  explicit Quad_untangler(Quads_on_surface& quads) : m_quads(quads), m_steps(quads) {}
+  Quad_untangler(Quads_on_surface& quads, const Monitor& monitor)
+    : m_quads(quads), m_steps(quads), m_monitor(monitor)
+  {
+  }
 
   // Relaxes surroundings with nothing to hinder it, which unfolds them where the surface is nearly
   // flat, and improves the shape there.
@@ -58,7 +64,7 @@ public:
   // its normals at their corners nor derivatives tell the way. Improves poor quads, too.
   void repair()
   {
-    constexpr double poor = 0.5;
+    constexpr double poor = 0.5, very_poor = 0.3;
     const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
     const auto search_anew = [this](const std::vector<int>& region, int rings) {
       relax_freely(region, 5 * rings);
@@ -71,7 +77,9 @@ public:
       treat_groups(suspects, 0, rings, search_here);
       treat_groups(suspects, 0, rings, search_anew);
     }
-    shake(suspects);
+    shake(suspects, 0, 100);
+    suspects = all_quads();
+    shake(suspects, very_poor, 12);
   }
 
 private:
@@ -79,7 +87,7 @@ private:
   struct Badness
   {
     int bad_quads = 0;
-    double deficit = 0; // by which the scores of quads miss a threshold
+    double deficit = 0; // sum of the squares by which the scores of quads miss a threshold
     bool operator<(const Badness& other) const
     {
       return std::make_pair(bad_quads, deficit) < std::make_pair(other.bad_quads, other.deficit);
@@ -105,7 +113,7 @@ private:
     for (const int f : quads) {
       const double s = score(f);
       result.bad_quads += !(s > 0);
-      result.deficit += (std::max)(threshold - s, 0.);
+      result.deficit += CGAL::square((std::max)(threshold - s, 0.));
     }
     return result;
   }
@@ -164,6 +172,7 @@ private:
   {
     std::vector<int> treated;
     for (const std::vector<int>& group : groups(suspects, threshold)) {
+      m_monitor.check("smooth_quad_mesh");
       const std::vector<int> region = m_quads.surroundings(group, rings), quads = quads_at(region);
       const Badness before = badness(quads, threshold);
       const std::vector<Surface_walk::Place> old = m_quads.places(region);
@@ -177,9 +186,8 @@ private:
   }
 
   // Searches from random places around, for what nothing else helps.
-  void shake(std::vector<int>& suspects)
+  void shake(std::vector<int>& suspects, double threshold, int rounds)
   {
-    constexpr int rounds = 100;
     std::minstd_rand random; // always the same numbers
     const auto attempt = [&](const std::vector<int>& region, int) {
       for (const int v : region)
@@ -187,7 +195,7 @@ private:
       search(region);
     };
     for (int i = 0; i < rounds; ++i)
-      treat_groups(suspects, 0, 1 + i % 4, attempt);
+      treat_groups(suspects, threshold, 1 + i % 4, attempt);
   }
 
   // moves v along the surface by at most half the length of its edges
@@ -261,6 +269,7 @@ private:
 
   Quads_on_surface& m_quads;
   Vertex_steps m_steps;
+  const Monitor& m_monitor;
 };
 
 } // namespace internal
