@@ -89,9 +89,9 @@ int end_of_chain(const QL::T_mesh& t, int node, const std::vector<int>& chain)
 QL::Cross_field field_of(unsigned seed)
 {
   switch (seed % 3) {
-  case 0: return generated::random_field(generated::torus(9, 6), seed);
-  case 1: return generated::random_field(generated::icosphere(1), seed);
-  default: return generated::random_field(generated::cube(3), seed);
+    case 0: return generated::random_field(generated::torus(9, 6), seed);
+    case 1: return generated::random_field(generated::icosphere(1), seed);
+    default: return generated::random_field(generated::cube(3), seed);
   }
 }
 

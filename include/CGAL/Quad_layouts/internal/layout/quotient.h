@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/internal/layout/fibre_loops.h>
 #include <CGAL/Quad_layouts/internal/layout/fibres.h>
 #include <CGAL/Quad_layouts/internal/layout/glued_squares.h>
+#include <CGAL/Quad_layouts/internal/layout/is_contractible.h>
 
 #include <algorithm>
 #include <string>
@@ -26,10 +27,24 @@ namespace internal {
 struct Merged_cluster
 {
   std::vector<int> nodes;       // ascending
-  int index;                    // sum of the nodes' indices, in quarters
+  int index = 0;                // sum of the nodes' indices, in quarters
   // arcs of length 0 that join all nodes; if positive they separate some, unless other zero
   // connections join the same nodes
   std::vector<int> tree_arcs;
+  // nothing but these arcs is needed to join them
+  bool is_joined_by_arcs = true;
+};
+
+// Arcs whose lengths should not all be 0; sorted, unique.
+struct Quotient_cut
+{
+  std::vector<int> arcs;
+  // No valid layout has length 0 on all of them. For others there may be some, in rare cases: where
+  // more is collapsed, or patches are shifted.
+  bool is_exact;
+
+  bool operator<(const Quotient_cut& other) const { return arcs < other.arcs; }
+  bool operator==(const Quotient_cut& other) const { return arcs == other.arcs; }
 };
 
 // What a quantization makes of a T-mesh.
@@ -39,8 +54,7 @@ struct Quotient_report
   bool valid = false;
   // the first defect found
   std::string reason;
-  // per defect, arcs whose lengths must not all be 0; sorted, unique
-  std::vector<std::vector<int>> cuts;
+  std::vector<Quotient_cut> cuts; // one or more per defect
   // of all singularities and seeds, in ascending order of their first nodes, singletons included;
   // filled for invalid quotients too
   std::vector<Merged_cluster> clusters;
@@ -63,6 +77,21 @@ inline std::vector<int> arcs_of(const Fibres& fibres, const std::vector<int>& co
   return sorted_unique(std::move(result));
 }
 
+// says whether connections are arcs, and none leads through a patch
+inline bool are_arcs(const Fibres& fibres, const std::vector<int>& connections)
+{
+  return std::all_of(connections.begin(), connections.end(),
+                     [&](int c) { return fibres.connection(c).arc >= 0; });
+}
+
+// of a loop that must not have length 0
+inline Quotient_cut cut_of(const Fibres& fibres, const std::vector<int>& loop)
+{
+  std::vector<int> arcs = arcs_of(fibres, loop);
+  const bool is_exact = are_arcs(fibres, loop) && !is_contractible(fibres.grid().t_mesh(), arcs);
+  return {std::move(arcs), is_exact};
+}
+
 inline std::vector<Merged_cluster> merged_clusters(const Fibres& fibres)
 {
   const T_mesh& t = fibres.grid().t_mesh();
@@ -74,7 +103,7 @@ inline std::vector<Merged_cluster> merged_clusters(const Fibres& fibres)
     int& c = cluster_of_fibre[fibres.fibre_of_point(n)];
     if (c < 0) {
       c = int(result.size());
-      result.push_back({{}, 0, {}});
+      result.emplace_back();
     }
     result[c].nodes.push_back(n);
     result[c].index += t.index(n);
@@ -82,13 +111,15 @@ inline std::vector<Merged_cluster> merged_clusters(const Fibres& fibres)
   for (Merged_cluster& c : result)
     if (c.nodes.size() > 1) {
       const Fibre_loops paths(fibres, fibres.fibre_of_point(c.nodes.front()));
-      c.tree_arcs = arcs_of(fibres, paths.tree(c.nodes));
+      const std::vector<int> tree = paths.tree(c.nodes);
+      c.tree_arcs = arcs_of(fibres, tree);
+      c.is_joined_by_arcs = are_arcs(fibres, tree);
     }
   return result;
 }
 
 // Collects defects; the first one gives the reason.
-inline void add_defect(Quotient_report& report, const std::string& reason, std::vector<int> cut)
+inline void add_defect(Quotient_report& report, const std::string& reason, Quotient_cut cut)
 {
   if (report.reason.empty())
     report.reason = reason;
@@ -105,10 +136,10 @@ inline void find_unfilled_loops(const Fibres& fibres, Quotient_report& report)
       continue;
     if (fibre.euler_characteristic() == 2)
       add_defect(report, "the whole component of node " + node + " has length 0",
-                 arcs_of(fibres, fibre.connections));
+                 {arcs_of(fibres, fibre.connections), true});
     for (const std::vector<int>& loop : Fibre_loops(fibres, f).unfilled_loops())
       add_defect(report, "a loop of length 0 at node " + node
-                 + " is not filled by patches of size 0", arcs_of(fibres, loop));
+                 + " is not filled by patches of size 0", cut_of(fibres, loop));
   }
 }
 
@@ -137,7 +168,7 @@ inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
       for (int a : fibres.short_side(p))
         cut.push_back(a);
     add_defect(report, "patches without extent form a ring through patch "
-               + std::to_string(grid.patch(s)), sorted_unique(std::move(cut)));
+               + std::to_string(grid.patch(s)), {sorted_unique(std::move(cut)), false});
   }
 }
 

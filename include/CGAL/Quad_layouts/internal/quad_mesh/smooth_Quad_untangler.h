@@ -64,7 +64,7 @@ public:
   // its normals at their corners nor derivatives tell the way. Improves poor quads, too.
   void repair()
   {
-    constexpr double poor = 0.5, very_poor = 0.3;
+    constexpr double poor = 0.5;
     const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
     const auto search_anew = [this](const std::vector<int>& region, int rings) {
       relax_freely(region, 5 * rings);
@@ -77,9 +77,7 @@ public:
       treat_groups(suspects, 0, rings, search_here);
       treat_groups(suspects, 0, rings, search_anew);
     }
-    shake(suspects, 0, 100);
-    suspects = all_quads();
-    shake(suspects, very_poor, 12);
+    shake(suspects);
   }
 
 private:
@@ -186,8 +184,9 @@ private:
   }
 
   // Searches from random places around, for what nothing else helps.
-  void shake(std::vector<int>& suspects, double threshold, int rounds)
+  void shake(std::vector<int>& suspects)
   {
+    constexpr int rounds = 100;
     std::minstd_rand random; // always the same numbers
     const auto attempt = [&](const std::vector<int>& region, int) {
       for (const int v : region)
@@ -195,7 +194,7 @@ private:
       search(region);
     };
     for (int i = 0; i < rounds; ++i)
-      treat_groups(suspects, threshold, 1 + i % 4, attempt);
+      treat_groups(suspects, 0, 1 + i % 4, attempt);
   }
 
   // moves v along the surface by at most half the length of its edges

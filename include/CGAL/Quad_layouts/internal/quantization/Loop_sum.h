@@ -72,7 +72,7 @@ public:
     double objective = rows.objective();
     for (Loop& loop : m_loops) {
       count(loop, -1);
-      if (rows.is_feasible() && rows.objective() < objective) {
+      if (rows.is_feasible() && rows.satisfies_cuts() && rows.objective() < objective) {
         objective = rows.objective();
         continue;
       }

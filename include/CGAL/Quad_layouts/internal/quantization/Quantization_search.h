@@ -80,7 +80,9 @@ public:
 private:
   bool is_proven() const
   {
-    return m_incumbent.objective() - m_bound <= m_options.relative_gap * m_incumbent.objective();
+    constexpr double rounding = 1e-9;
+    const double gap = (std::max)(m_options.relative_gap, rounding);
+    return m_incumbent.objective() - m_bound <= gap * m_incumbent.objective();
   }
   bool is_done() const { return is_proven() || seconds_left() <= 0; }
   double seconds_left() const { return m_options.seconds - m_timer.time(); }
@@ -124,7 +126,7 @@ private:
     return int((std::max)(1., (std::min)(200., 4e7 / (n * n))));
   }
 
-  // solves again as long as the solution violates what the solver did not see
+  // solves again as long as the solution violates what the solver did not see; at last with all cuts
   void search_whole_program()
   {
     const Box everything(m_program.number_of_variables());
@@ -134,12 +136,15 @@ private:
       bool improved;
       const Box_solution solution = search(
           everything, effort(nodes_of_whole_program(), 0.2, m_options.relative_gap / 2), improved);
-      m_bound = (std::max)(m_bound, solution.bound);
+      if (!m_program.inexact_cuts_are_visible)
+        m_bound = (std::max)(m_bound, solution.bound);
       report();
       if (solution.status != Box_solution::OPTIMAL)
         break;
+      m_program.inexact_cuts_are_visible |= m_program.number_of_visible_rows() == rows;
     } while (m_program.number_of_visible_rows() > rows && !is_done());
     m_program.covers_are_soft = false;
+    m_program.inexact_cuts_are_visible = true;
   }
 
   // An objective above the penalty could fall by violating a row: then bounds must come from the

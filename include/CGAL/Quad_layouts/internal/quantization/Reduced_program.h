@@ -53,6 +53,7 @@ struct Reduced_program
   {
     Set variables;
     std::vector<int> indicators;
+    bool is_exact; // it excludes no valid layout
   };
 
   std::vector<int> variable;                               // per arc, -1: always 0
@@ -66,6 +67,7 @@ struct Reduced_program
   bool covers_are_soft = false; // as in (7)
   bool index_rows_are_soft =
       false; // as in (8): keeping all apart that can be kept apart violates some
+  bool inexact_cuts_are_visible = false; // to solvers; bounds must come from programs without them
   double penalty = 0;
 
   int number_of_variables() const { return int(cost.size()); }
@@ -73,9 +75,13 @@ struct Reduced_program
   // grows when solvers get to see rows that they did not see before
   int number_of_visible_rows() const
   {
-    return int(cuts.size()) + int(std::count_if(index_rows.begin(), index_rows.end(),
-                                                [](const auto& row) { return !row.is_lazy; }));
+    return int(std::count_if(cuts.begin(), cuts.end(),
+                             [this](const Cut& cut) { return is_visible(cut); }) +
+               std::count_if(index_rows.begin(), index_rows.end(),
+                             [](const Index_row& row) { return !row.is_lazy; }));
   }
+
+  bool is_visible(const Cut& cut) const { return cut.is_exact || inexact_cuts_are_visible; }
 
   std::vector<int> arc_lengths(const std::vector<int>& x) const
   {

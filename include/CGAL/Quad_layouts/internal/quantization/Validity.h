@@ -40,8 +40,8 @@ public:
   {
     const Quotient_report report = examine_quotient(m_t_mesh, m_program.arc_lengths(x));
     bool valid = report.valid;
-    for (const auto& arcs : report.cuts)
-      add({m_program.set_of(arcs), {}});
+    for (const Quotient_cut& cut : report.cuts)
+      add({m_program.set_of(cut.arcs), {}, cut.is_exact});
     for (const Merged_cluster& cluster : report.clusters)
       if (!is_legal(cluster) && add(cut_of(cluster)))
         valid = false;
@@ -68,10 +68,13 @@ private:
   }
 
   // Some arc that holds the cluster together becomes positive, or a singularity of the index that
-  // is missing joins it. To forbid the cluster as such would forbid legal larger ones.
+  // is missing joins it. To forbid the cluster as such would forbid legal larger ones. Legal ones
+  // can still be forbidden if they are joined in a way that no indicator sees.
   Reduced_program::Cut cut_of(const Merged_cluster& cluster) const
   {
-    Reduced_program::Cut cut{m_program.set_of(cluster.tree_arcs), {}};
+    Reduced_program::Cut cut{m_program.set_of(cluster.tree_arcs),
+                             {},
+                             cluster.is_joined_by_arcs && m_paper.pairs.empty()};
     const int sign = excess(cluster) > 0 ? -1 : 1;
     for (int n : cluster.nodes) {
       const auto found = m_indicators.find(n);

@@ -93,13 +93,17 @@ public:
                        });
   }
 
+  bool satisfies_cuts() const
+  {
+    return std::all_of(m_program.cuts.begin(), m_program.cuts.end(),
+                       [&](const auto& cut) { return is_satisfied(cut); });
+  }
+
   // says if all other rows hold
   bool is_feasible() const
   {
     return std::all_of(m_program.covers.begin(), m_program.covers.end(),
                        [&](const auto& cover) { return is_positive(cover); }) &&
-           std::all_of(m_program.cuts.begin(), m_program.cuts.end(),
-                       [&](const auto& cut) { return is_satisfied(cut); }) &&
            (m_program.index_rows_are_soft || total_index_excess() == 0);
   }
 

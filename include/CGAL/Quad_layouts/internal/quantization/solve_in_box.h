@@ -82,12 +82,13 @@ public:
     for (const auto& equation : program.equations)
       add_equation(equation);
     for (const auto& cover : program.covers)
-      add_cover({cover, {}}, program.covers_are_soft);
+      add_cover({cover, {}, true}, program.covers_are_soft);
     for (const auto& row : program.index_rows)
       if (!row.is_lazy)
         add_index_row(row);
     for (const auto& cut : program.cuts)
-      add_cover(cut, false);
+      if (program.is_visible(cut))
+        add_cover(cut, false);
     m_objective->set_offset(m_fixed_cost);
   }
 
