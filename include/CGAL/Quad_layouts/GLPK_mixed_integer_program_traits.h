@@ -29,7 +29,9 @@ renewed: other GLPK objects of the caller in this thread are lost.
 */
 template <class FT>
 class GLPK_mixed_integer_program_traits
-#ifndef DOXYGEN_RUNNING
+#ifdef DOXYGEN_RUNNING
+  : public CGAL::Mixed_integer_program_traits<FT>
+#else
   : public internal::Program_traits_base<FT, internal::Glpk_search>
 #endif
 {

@@ -26,10 +26,6 @@ struct Search_limits
   double relative_gap = 0;
 };
 
-// How many iterations of the simplex method count as one node. Nodes of large programs can take
-// thousands; that counts as work, too.
-constexpr int iterations_per_node = 100;
-
 // What the searches of all solvers have in common: the program in, the solution out.
 class Program_search
 {
@@ -90,7 +86,9 @@ protected:
                             : (std::numeric_limits<double>::infinity)();
   }
 
-  int iteration_limit() const
+  // Nodes of large programs can take thousands of iterations of the simplex method. That counts as
+  // work, too.
+  int iteration_limit(int iterations_per_node) const
   {
     constexpr int most = (std::numeric_limits<int>::max)();
     return limits.nodes < most / iterations_per_node ? limits.nodes * iterations_per_node : most;

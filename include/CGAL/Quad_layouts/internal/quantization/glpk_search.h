@@ -40,6 +40,9 @@ inline bool run_guarded_from_glpk(void (*work)(void*), void* data)
   return true;
 }
 
+// how many iterations of the simplex method count as one node
+constexpr int glpk_iterations_per_node = 100;
+
 // One search of GLPK. The relaxation is solved first and alone, because `glp_intopt` would not mind
 // the time limit there.
 class Glpk_search : public Program_search
@@ -128,7 +131,7 @@ private:
     parameters.msg_lev = GLP_MSG_OFF;
     parameters.presolve = GLP_ON;
     parameters.tm_lim = milliseconds_left();
-    parameters.it_lim = iteration_limit();
+    parameters.it_lim = iteration_limit(glpk_iterations_per_node);
     const int code = glp_simplex(problem, &parameters);
     if (code == GLP_ENOPFS || (code == 0 && glp_get_status(problem) == GLP_NOFEAS)) {
       outcome = Outcome::COMPLETE;
@@ -199,8 +202,8 @@ private:
     int total = 0;
     glp_ios_tree_size(tree, nullptr, nullptr, &total);
     const int iterations = glp_get_it_cnt(glp_ios_get_prob(tree));
-    if (total > limits.nodes || iterations > iteration_limit() || is_late() ||
-        (stop && stop()))
+    if (total > limits.nodes || iterations > iteration_limit(glpk_iterations_per_node) ||
+        is_late() || (stop && stop()))
       glp_ios_terminate(tree);
   }
 
