@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <random>
 #include <vector>
 
 #include <unistd.h>
@@ -131,6 +132,32 @@ private:
   std::vector<int> m_saved;
 };
 
+// A small program with integers of all signs, feasible or not. Both solvers get through it at once.
+void make_random(Traits& traits, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto in = [&](int low, int high) { return low + int(random() % unsigned(high - low + 1)); };
+  const auto sense = seed % 3 == 0 ? Traits::Linear_objective::MAXIMIZE
+                                   : Traits::Linear_objective::MINIMIZE;
+  auto* objective = traits.create_objective(sense);
+  objective->set_offset(in(-5, 5));
+  const int variables = in(2, 11), rows = in(1, 8);
+  for (int i = 0; i < variables; ++i) {
+    const auto type = i % 4 == 3 && seed % 4 == 0 ? Traits::Variable::CONTINUOUS
+                                                  : Traits::Variable::INTEGER;
+    auto* v = traits.create_variable(type, in(-3, 0), in(1, 10));
+    objective->add_coefficient(v, in(-9, 30) / (seed % 2 == 0 ? 10. : 7.));
+  }
+  for (int r = 0; r < rows; ++r) {
+    const double side = in(0, 12);
+    auto* row = traits.create_constraint(r % 3 == 0 ? -solver_cases::infinity : -side,
+                                         r % 3 == 1 ? solver_cases::infinity : side);
+    for (auto* v : traits.variables())
+      if (in(0, 1) == 1)
+        row->add_coefficient(v, in(-4, 6));
+  }
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(finds_the_optimum_and_tells_infeasibility)
@@ -187,6 +214,19 @@ BOOST_AUTO_TEST_CASE(agrees_with_glpk)
     }
   }
   BOOST_TEST(Both_traits::compared > 20);
+}
+
+BOOST_AUTO_TEST_CASE(agrees_with_glpk_on_random_programs)
+{
+  for (unsigned seed = 0; seed < 1500; ++seed) {
+    Traits traits;
+    make_random(traits, seed);
+    Glpk_traits other;
+    copy_program(traits, other);
+    BOOST_TEST(traits.solve() == other.solve(), "seed " << seed);
+    BOOST_TEST(traits.objective_value() == other.objective_value(),
+               boost::test_tools::tolerance(1e-6));
+  }
 }
 
 // Whenever the search ends: the start solution remains unless there is a better one.
