@@ -17,7 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
-// What holds for every model of QuadLayoutsMixedIntegerProgramTraits. Each solver's test runs it all.
+// What holds for every model of QuadLayoutsMixedIntegerProgramTraits. Each solver's test runs all.
 namespace solver_cases {
 
 constexpr double infinity = 1e20; // of CGAL's traits

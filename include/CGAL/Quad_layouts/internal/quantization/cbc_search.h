@@ -232,9 +232,9 @@ private:
     add_heuristics(model);
   }
 
-  // Those kinds of cuts that pay on programs of quantizations. All kinds of probing together cut off
-  // optima where integers are not binary (in CBC 2.10.8, and issue 293 of CBC tells of it): one kind
-  // does not. For the same reason programs are not preprocessed.
+  // Those kinds of cuts that pay on programs of quantizations. All kinds of probing together cut
+  // off optima where integers are not binary (in CBC 2.10.8, and its issue 293 tells of it); one
+  // kind does not. For the same reason programs are not preprocessed.
   static void add_cuts(CbcModel& model)
   {
     const int if_useful = -1;
