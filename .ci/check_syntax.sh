@@ -14,7 +14,8 @@ if ! command -v "$1" >/dev/null; then
 fi
 
 compile=("$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -DBOOST_TEST_DYN_LINK
-         -DCGAL_USE_GLPK -DCGAL_EIGEN3_ENABLED -Iinclude -Itest -isystem /usr/include/eigen3)
+         -DCGAL_USE_GLPK -DCGAL_USE_CBC -DCGAL_EIGEN3_ENABLED -Iinclude -Itest
+         -isystem /usr/include/eigen3 -isystem /usr/include/coin)
 failures=$(mktemp)
 trap 'rm -f "$failures"' EXIT
 export failures

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 source scripts/debian_setup.sh
 
 # shellcheck disable=SC2086 # a list of words
-require_packages $build_packages libboost-test-dev libopenmesh-dev doxygen
+require_packages $build_packages coinor-libcbc-dev libboost-test-dev libopenmesh-dev doxygen
 
 build=${1:-build}
 mkdir -p "$build"

@@ -103,6 +103,13 @@ for key in input vertices faces euler components borders singularities_in singul
 done
 grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 patches"
 
+# the other solver, or that it is missing
+if "$program" cube.off --solver cbc --output by_cbc --edge-length 0.05 --quiet 2>stderr; then
+  grep -q '"patches": 6,' by_cbc/stats.json || fail "by_cbc/stats.json does not say 6 patches"
+else
+  grep -q "cbc is not built into this program" stderr || fail "--solver cbc: $(cat stderr)"
+fi
+
 if [ $failures = 0 ]; then
   echo "all well"
 else

@@ -23,12 +23,12 @@ struct Options
 {
   std::string input;
   std::string output = ".";
-  std::string field; // a file, or empty
-  std::string solver = "glpk";
-  double alpha = 15;         // degrees
-  double displacement = 2;   // target edge lengths
-  double edge_length = 0.01; // of the diagonal of the bounding box
-  double time_limit = 30;    // seconds
+  std::string field;           // a file, or empty
+  std::string solver = "glpk"; // or "cbc"
+  double alpha = 15;           // degrees
+  double displacement = 2;     // target edge lengths
+  double edge_length = 0.01;   // of the diagonal of the bounding box
+  double time_limit = 30;      // seconds
   int min_valence = 3;
   int max_valence = 8;
   bool quiet = false;
@@ -50,7 +50,7 @@ inline const char* usage()
          "  --edge-length FRACTION of the quads, by the bounding box's diagonal (0.01)\n"
          "  --min-valence N        least valence of a vertex (3)\n"
          "  --max-valence N        greatest valence of a vertex (8)\n"
-         "  --solver NAME          of the integer program: glpk (glpk)\n"
+         "  --solver NAME          of the integer program: glpk or cbc (glpk)\n"
          "  --time-limit S         for the integer program, in seconds (30)\n"
          "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
          "  --quiet                no progress on the standard error stream\n"
@@ -76,6 +76,20 @@ Number number(const std::string& option, const std::string& text)
   if (text.empty() || used != text.size())
     throw Usage_error(option + " needs a number, not \"" + text + "\"");
   return value;
+}
+
+inline void check_solver(const std::string& name)
+{
+#ifdef CGAL_USE_CBC
+  const bool has_cbc = true;
+#else
+  const bool has_cbc = false;
+#endif
+  if (name != "glpk" && name != "cbc")
+    throw Usage_error("unknown solver " + name + ": there are glpk and cbc");
+  if (name == "cbc" && !has_cbc)
+    throw Usage_error("the solver cbc is not built into this program, only glpk: build it where "
+                      "CBC (coinor-libcbc-dev) is installed");
 }
 
 inline Options parse(int argc, char* argv[])
@@ -122,8 +136,7 @@ inline Options parse(int argc, char* argv[])
   }
   if (result.input.empty() && !result.help)
     throw Usage_error("no input");
-  if (result.solver != "glpk")
-    throw Usage_error("unknown solver " + result.solver + ": this program has glpk");
+  check_solver(result.solver);
   return result;
 }
 

@@ -21,6 +21,9 @@
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 #include <CGAL/Quad_layouts/visitor.h>
+#ifdef CGAL_USE_CBC
+#include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
+#endif
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Real_timer.h>
@@ -124,6 +127,18 @@ inline QL::Cross_field field_of(Mesh& mesh, const Options& options, Progress& pr
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
 }
 
+template <class NamedParameters>
+QL::Quantization quantize_by(const std::string& solver, const QL::T_mesh& t_mesh,
+                             const NamedParameters& np)
+{
+#ifdef CGAL_USE_CBC
+  if (solver == "cbc")
+    return QL::quantize<QL::CBC_mixed_integer_program_traits<double>>(t_mesh, np);
+#endif
+  CGAL_USE(solver);
+  return QL::quantize<QL::GLPK_mixed_integer_program_traits<double>>(t_mesh, np);
+}
+
 // runs all stages on a mesh
 inline void run_stages(Mesh& mesh, const Options& options, Results& results)
 {
@@ -146,7 +161,7 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
 
   r.field = clock("field", [&] { return field_of(mesh, options, progress); });
   r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, np); });
-  r.quantization = clock("quantize", [&] { return QL::quantize(r.t_mesh, np); });
+  r.quantization = clock("quantize", [&] { return quantize_by(options.solver, r.t_mesh, np); });
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
   r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, np); });
   clock("quad_mesh", [&] {

@@ -8,6 +8,7 @@ first template parameter of `CGAL::Quad_layouts::quantize()`.
 \cgalRefines{MixedIntegerProgramTraits}
 
 \cgalHasModel `CGAL::Quad_layouts::GLPK_mixed_integer_program_traits<FT>`
+\cgalHasModel `CGAL::Quad_layouts::CBC_mixed_integer_program_traits<FT>`
 */
 class QuadLayoutsMixedIntegerProgramTraits
 {

@@ -7,18 +7,8 @@
 #ifndef CGAL_QUAD_LAYOUTS_GLPK_MIXED_INTEGER_PROGRAM_TRAITS_H
 #define CGAL_QUAD_LAYOUTS_GLPK_MIXED_INTEGER_PROGRAM_TRAITS_H
 
+#include <CGAL/Quad_layouts/internal/quantization/Program_traits_base.h>
 #include <CGAL/Quad_layouts/internal/quantization/glpk_search.h>
-
-#include <CGAL/Mixed_integer_program_traits.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <exception>
-#include <functional>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -30,152 +20,21 @@ solves mixed integer programs by branch and cut with GLPK (5.0 or later).
 
 Unlike `CGAL::GLPK_mixed_integer_program_traits` it tells infeasible programs from solved ones, has
 limits, takes a start solution, and hands the rows over in an order that is the same on every run.
-GLPK writes nothing to the terminal, and its fatal errors end in the status `FAILED` instead of
-ending the process. After such an error the GLPK environment of the thread is renewed: other GLPK
-objects of the caller in this thread are lost.
+The node limit bounds the nodes of the search tree, where 100 iterations of the simplex method count
+as much as a node. GLPK writes nothing to the terminal, and its fatal errors end in the status
+`FAILED` instead of ending the process. After such an error the GLPK environment of the thread is
+renewed: other GLPK objects of the caller in this thread are lost.
 
 \cgalModels{QuadLayoutsMixedIntegerProgramTraits}
 */
 template <class FT>
-class GLPK_mixed_integer_program_traits : public CGAL::Mixed_integer_program_traits<FT>
+class GLPK_mixed_integer_program_traits
+#ifdef DOXYGEN_RUNNING
+  : public CGAL::Mixed_integer_program_traits<FT>
+#else
+  : public internal::Program_traits_base<FT, internal::Glpk_search>
+#endif
 {
-  using Base = CGAL::Mixed_integer_program_traits<FT>;
-
-public:
-  using Variable = typename Base::Variable;
-  using Linear_constraint = typename Base::Linear_constraint;
-  using Linear_objective = typename Base::Linear_objective;
-
-  /// is the outcome of `solve()`.
-  enum Status {
-    OPTIMAL,    ///< the solution is optimal within the relative gap
-    FEASIBLE,   ///< there is a solution, but a limit ended the search
-    INFEASIBLE, ///< there is no solution
-    UNKNOWN,    ///< a limit ended the search before a solution was found
-    FAILED      ///< the solver gave up
-  };
-
-  /// \name Limits
-  /// @{
-  void set_time_limit(double seconds) { m_limits.seconds = seconds; }
-  /// bounds the nodes of the search tree, where 100 iterations of the simplex method count as much
-  /// as a node: unlike the time limit, with the same result on every run.
-  void set_node_limit(int nodes) { m_limits.nodes = nodes; }
-  void set_relative_gap(double gap) { m_limits.relative_gap = gap; }
-  /// sets what is asked now and then if the search is to end; an exception thrown by it leaves
-  /// `solve()`.
-  void set_interrupt(std::function<bool()> stop) { m_stop = std::move(stop); }
-  /// @}
-
-  /// gives a feasible solution to begin with, a value per variable.
-  void set_start_solution(std::vector<FT> values) { m_start = std::move(values); }
-
-  Status status() const { return m_status; }
-  FT objective_value() const { return FT(m_objective); }
-  /// returns a value that no solution is better than.
-  FT best_bound() const { return FT(m_bound); }
-
-  /// solves the program and says if a solution was found.
-  bool solve() override
-  {
-    internal::Glpk_search search;
-    search.limits = m_limits;
-    fill_columns(search);
-    fill_rows(search);
-    fill_objective(search);
-    search.start.assign(m_start.begin(), m_start.end());
-    std::exception_ptr exception;
-    search.stop = [&] {
-      try {
-        return m_stop && m_stop();
-      } catch (...) { // it must not pass through the frames of a C library
-        exception = std::current_exception();
-        return true;
-      }
-    };
-    search.run();
-    if (exception)
-      std::rethrow_exception(exception);
-    return take_result(search);
-  }
-
-private:
-  void fill_columns(internal::Glpk_search& search) const
-  {
-    for (const Variable* v : this->variables_) {
-      FT low, high;
-      v->get_bounds(low, high);
-      const bool is_binary = v->variable_type() == Variable::BINARY;
-      search.columns.push_back({is_binary ? 0. : finite(low), is_binary ? 1. : finite(high),
-                                v->variable_type() != Variable::CONTINUOUS});
-    }
-  }
-
-  void fill_rows(internal::Glpk_search& search) const
-  {
-    for (const Linear_constraint* c : this->constraints_) {
-      FT low, high;
-      c->get_bounds(low, high);
-      search.rows.push_back({finite(low - c->offset()), finite(high - c->offset()), sorted(*c)});
-    }
-  }
-
-  void fill_objective(internal::Glpk_search& search) const
-  {
-    search.maximize = this->objective_->sense() == Linear_objective::MAXIMIZE;
-    search.objective = sorted(*this->objective_);
-    search.objective_offset = double(this->objective_->offset());
-  }
-
-  // coefficients are stored by address; their order must not depend on it
-  template <class Expression>
-  static internal::Glpk_search::Terms sorted(const Expression& expression)
-  {
-    internal::Glpk_search::Terms terms;
-    for (const auto& term : expression.coefficients())
-      terms.emplace_back(term.first->index(), double(term.second));
-    std::sort(terms.begin(), terms.end());
-    return terms;
-  }
-
-  static double finite(FT bound)
-  {
-    constexpr double infinity = (std::numeric_limits<double>::infinity)();
-    return bound >= Variable::infinity()    ? infinity
-           : bound <= -Variable::infinity() ? -infinity
-                                            : double(bound);
-  }
-
-  bool take_result(const internal::Glpk_search& search)
-  {
-    using Outcome = internal::Glpk_search::Outcome;
-    const bool has_solution = search.has_solution;
-    switch (search.outcome) {
-      case Outcome::COMPLETE: m_status = has_solution ? OPTIMAL : INFEASIBLE; break;
-      case Outcome::LIMIT: m_status = has_solution ? FEASIBLE : UNKNOWN; break;
-      case Outcome::ERROR: m_status = FAILED; break;
-    }
-    m_objective = search.objective_value;
-    m_bound = search.bound;
-    this->error_message_ = search.message;
-    this->result_.clear();
-    if (!has_solution || m_status == FAILED)
-      return false;
-    for (std::size_t i = 0; i < this->variables_.size(); ++i) {
-      Variable* v = this->variables_[i];
-      const bool is_integer = v->variable_type() != Variable::CONTINUOUS;
-      const FT x = FT(is_integer ? std::round(search.values[i]) : search.values[i]);
-      v->set_solution_value(x);
-      this->result_.push_back(x);
-    }
-    return true;
-  }
-
-  internal::Search_limits m_limits;
-  std::function<bool()> m_stop;
-  std::vector<FT> m_start;
-  Status m_status = UNKNOWN;
-  double m_objective = 0, m_bound = -(std::numeric_limits<double>::infinity)();
 };
 
 } // namespace Quad_layouts

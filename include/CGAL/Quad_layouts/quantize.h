@@ -11,11 +11,11 @@
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_search.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 #if __has_include(<glpk.h>)
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
-#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #endif
 
 #include <cmath>
@@ -50,7 +50,8 @@ the speed of the machine, unless a part reaches its share of the time limit or t
 limit itself, which is usual above about one hundred singularities.
 
 @tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
-        `GLPK_mixed_integer_program_traits<double>`
+        `GLPK_mixed_integer_program_traits<double>`; `CBC_mixed_integer_program_traits<double>` proves
+        better bounds
 @tparam NamedParameters a sequence of named parameters
 
 @param t_mesh a T-mesh

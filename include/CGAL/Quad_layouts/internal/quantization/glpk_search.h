@@ -7,28 +7,20 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_GLPK_SEARCH_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_GLPK_SEARCH_H
 
+#include <CGAL/Quad_layouts/internal/quantization/Program_search.h>
+
 #include <glpk.h>
 
 #include <algorithm>
-#include <chrono>
 #include <climits>
 #include <csetjmp>
-#include <functional>
+#include <cstddef>
 #include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
-
-struct Search_limits
-{
-  double seconds = (std::numeric_limits<double>::infinity)();
-  int nodes = (std::numeric_limits<int>::max)();
-  double relative_gap = 0;
-};
 
 // calls `work(data)` and says if GLPK got through it. GLPK ends the process on a fatal error unless
 // its hook jumps away; the environment must be renewed then. No frame between the jump and its
@@ -48,52 +40,17 @@ inline bool run_guarded_from_glpk(void (*work)(void*), void* data)
   return true;
 }
 
-// How many iterations of the simplex method count as one node. Nodes of large programs can take
-// thousands; that counts as work, too.
-constexpr int iterations_per_node = 100;
+// how many iterations of the simplex method count as one node
+constexpr int glpk_iterations_per_node = 100;
 
-// One search of GLPK: the program in, the solution out. The relaxation is solved first and alone,
-// because `glp_intopt` would not mind the time limit there.
-class Glpk_search
+// One search of GLPK. The relaxation is solved first and alone, because `glp_intopt` would not mind
+// the time limit there.
+class Glpk_search : public Program_search
 {
 public:
-  using Terms = std::vector<std::pair<int, double>>; // column, coefficient
-  struct Column
-  {
-    double low, high;
-    bool is_integer;
-  };
-  struct Row
-  {
-    double low, high;
-    Terms terms;
-  };
-  enum class Outcome { COMPLETE, LIMIT, ERROR };
-
-  std::vector<Column> columns;
-  std::vector<Row> rows;
-  Terms objective;
-  double objective_offset = 0;
-  bool maximize = false;
-  std::vector<double> start; // empty, or a value per column
-  Search_limits limits;
-  std::function<bool()> stop; // must not throw
-
-  Outcome outcome = Outcome::ERROR;
-  bool has_solution = false;
-  std::vector<double> values;
-  double objective_value = 0;
-  double bound = 0;
-  std::string message;
-
   void run()
   {
-    m_end = limits.seconds < 1e6
-                ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                     std::chrono::duration<double>((std::max)(limits.seconds, 0.)))
-                : (Clock::time_point::max)();
-    bound = (maximize ? 1 : -1) * (std::numeric_limits<double>::infinity)();
-    values.assign(columns.size(), 0);
+    reset();
     flatten();
     if (!run_guarded_from_glpk([](void* self) { static_cast<Glpk_search*>(self)->search(); },
                                this)) {
@@ -105,8 +62,6 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   // brings the matrix into the coordinate format of GLPK, whose arrays begin at 1
   void flatten()
   {
@@ -163,19 +118,9 @@ private:
       glp_set_obj_coef(problem, term.first + 1, term.second);
   }
 
-  int iteration_limit() const
-  {
-    return limits.nodes < INT_MAX / iterations_per_node ? limits.nodes * iterations_per_node
-                                                        : INT_MAX;
-  }
-
   int milliseconds_left() const
   {
-    if (m_end == (Clock::time_point::max)())
-      return INT_MAX;
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(m_end - Clock::now()).count();
-    return int((std::max)(1LL, (std::min)((long long)(left), (long long)(INT_MAX)-1)));
+    return int((std::max)(1., (std::min)(1000 * seconds_left(), double(INT_MAX))));
   }
 
   // says if there is a reason to branch
@@ -186,7 +131,7 @@ private:
     parameters.msg_lev = GLP_MSG_OFF;
     parameters.presolve = GLP_ON;
     parameters.tm_lim = milliseconds_left();
-    parameters.it_lim = iteration_limit();
+    parameters.it_lim = iteration_limit(glpk_iterations_per_node);
     const int code = glp_simplex(problem, &parameters);
     if (code == GLP_ENOPFS || (code == 0 && glp_get_status(problem) == GLP_NOFEAS)) {
       outcome = Outcome::COMPLETE;
@@ -257,12 +202,11 @@ private:
     int total = 0;
     glp_ios_tree_size(tree, nullptr, nullptr, &total);
     const int iterations = glp_get_it_cnt(glp_ios_get_prob(tree));
-    if (total > limits.nodes || iterations > iteration_limit() || Clock::now() > m_end ||
-        (stop && stop()))
+    if (total > limits.nodes || iterations > iteration_limit(glpk_iterations_per_node) ||
+        is_late() || (stop && stop()))
       glp_ios_terminate(tree);
   }
 
-  Clock::time_point m_end;
   std::vector<int> m_row, m_column;
   std::vector<double> m_value, m_start;
   const char* m_message = "";
