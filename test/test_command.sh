@@ -84,6 +84,10 @@ expect 1 "." nan.off --quiet
 echo "1 0 0" >short.txt
 expect 1 "1 vectors for 768 faces" cube.off --field short.txt --quiet
 
+echo "x0 1" >wrong.sol
+expect 1 "opposite sides of patches are not equally long" cube.off --read-solution wrong.sol --quiet
+expect 1 "none.sol: no such file" cube.off --read-solution none.sol --quiet
+
 # a layout
 expect 0 "smooth" cube.off --output result --edge-length 0.05
 if [ ! -d result ]; then
@@ -102,6 +106,10 @@ for key in input vertices faces euler components borders singularities_in singul
   grep -q "\"$key\":" result/stats.json || fail "stats.json has no $key"
 done
 grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 patches"
+
+# the program for other solvers
+expect 0 "" cube.off --output result --edge-length 0.05 --write-program program.mps --quiet
+[ "$(tail -n 1 program.mps)" = ENDATA ] || fail "the integer program is not complete"
 
 # the other solver, or that it is missing
 if "$program" cube.off --solver cbc --output by_cbc --edge-length 0.05 --quiet 2>stderr; then

@@ -23,7 +23,9 @@ struct Options
 {
   std::string input;
   std::string output = ".";
-  std::string field;           // a file, or empty
+  std::string field;           // a file, or empty; so are these:
+  std::string program;         // to write
+  std::string solution;        // to read
   std::string solver = "glpk"; // or "cbc"
   double alpha = 15;           // degrees
   double displacement = 2;     // target edge lengths
@@ -39,7 +41,8 @@ inline const char* usage()
 {
   return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
-         "                         [--solver NAME] [--time-limit S] [--field FILE] [--quiet]\n"
+         "                         [--solver NAME] [--time-limit S] [--field FILE]\n"
+         "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
          "Computes a simple quad layout of a closed triangle mesh, and a quad mesh on it.\n"
          "INPUT is an OFF, OBJ, PLY or STL file, told by its extension.\n"
@@ -53,6 +56,8 @@ inline const char* usage()
          "  --solver NAME          of the integer program: glpk or cbc (glpk)\n"
          "  --time-limit S         for the integer program, in seconds (30)\n"
          "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
+         "  --write-program FILE   where to write the integer program, in MPS format\n"
+         "  --read-solution FILE   a solution of that program, used instead of solving it\n"
          "  --quiet                no progress on the standard error stream\n"
          "\n"
          "Results: layout.obj, layout_curves.obj, quad_mesh.obj, quad_mesh.vtp, stats.json.\n"
@@ -115,6 +120,8 @@ inline Options parse(int argc, char* argv[])
       {"--solver", text(result.solver)},
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
+      {"--write-program", text(result.program)},
+      {"--read-solution", text(result.solution)},
   };
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];

@@ -10,6 +10,7 @@
 #include "input.h"
 #include "options.h"
 
+#include <CGAL/Quad_layouts/IO/quantization_program.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
@@ -128,6 +129,24 @@ inline QL::Cross_field field_of(Mesh& mesh, const Options& options, Progress& pr
 }
 
 template <class NamedParameters>
+void write_program(const std::string& file, const QL::T_mesh& t_mesh, const NamedParameters& np)
+{
+  std::ofstream out(file);
+  if (!QL::IO::write_quantization_program(out, t_mesh, np))
+    throw std::runtime_error(file + ": cannot be written");
+}
+
+template <class NamedParameters>
+QL::Quantization read_solution(const std::string& file, const QL::T_mesh& t_mesh,
+                               const NamedParameters& np)
+{
+  std::ifstream in(file);
+  if (!in)
+    throw Input_error(file + ": no such file");
+  return QL::IO::read_quantization(in, t_mesh, np);
+}
+
+template <class NamedParameters>
 QL::Quantization quantize_by(const std::string& solver, const QL::T_mesh& t_mesh,
                              const NamedParameters& np)
 {
@@ -161,7 +180,12 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
 
   r.field = clock("field", [&] { return field_of(mesh, options, progress); });
   r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, np); });
-  r.quantization = clock("quantize", [&] { return quantize_by(options.solver, r.t_mesh, np); });
+  if (!options.program.empty())
+    write_program(options.program, r.t_mesh, np);
+  r.quantization = clock("quantize", [&] {
+    return options.solution.empty() ? quantize_by(options.solver, r.t_mesh, np)
+                                    : read_solution(options.solution, r.t_mesh, np);
+  });
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
   r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, np); });
   clock("quad_mesh", [&] {

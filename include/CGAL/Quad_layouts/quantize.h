@@ -10,15 +10,13 @@
 #include <CGAL/Quad_layouts/Quantization.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/quantization/Quantization_options.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_search.h>
-#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 #if __has_include(<glpk.h>)
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
 #endif
-
-#include <cmath>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -125,31 +123,7 @@ template <class MixedIntegerProgramTraits = GLPK_mixed_integer_program_traits<do
 Quantization quantize(const T_mesh& t_mesh,
                       const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  constexpr double degree = 3.14159265358979323846 / 180;
-
-  const double alpha = choose_parameter(get_parameter(np, internal_np::maximum_deviation), 15.);
-  const double r = choose_parameter(get_parameter(np, internal_np::maximum_displacement), 2.);
-  const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
-                                    0.01 * t_mesh.surface().diagonal());
-  const int least = choose_parameter(get_parameter(np, internal_np::minimum_valence), 3);
-  const int most = choose_parameter(get_parameter(np, internal_np::maximum_valence), 8);
-  const double seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                          30.);
-  const double gap = choose_parameter(get_parameter(np, internal_np::relative_gap), 0.01);
-
-  internal::require_parameter(alpha > 0 && alpha < 90, "maximum_deviation", alpha,
-                              "between 0 and 90 degrees");
-  internal::require_not_negative("maximum_displacement", r);
-  internal::require_positive("target_edge_length", h);
-  internal::require_parameter(least >= 1 && least <= 4, "minimum_valence", least, "in 1 to 4");
-  internal::require_parameter(most >= 4, "maximum_valence", most, "at least 4");
-  internal::require_parameter(seconds > 0, "maximum_running_time", seconds, "a number > 0");
-  internal::require_parameter(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
-
-  const internal::Quantization_options options{
-      {std::tan(alpha * degree), 2 * r * h, 4 - most, 4 - least}, seconds, gap};
+  const internal::Quantization_options options = internal::quantization_options(t_mesh, np);
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("quantize", [&] {
     return internal::Quantization_search<MixedIntegerProgramTraits>(t_mesh, options, monitor).run();

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quantization/Incumbent.h>
 #include <CGAL/Quad_layouts/internal/quantization/Neighbourhoods.h>
+#include <CGAL/Quad_layouts/internal/quantization/Quantization_options.h>
 #include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
 #include <CGAL/Quad_layouts/internal/quantization/lazy_index_rows.h>
 #include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
@@ -27,13 +28,6 @@
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
-
-struct Quantization_options
-{
-  Quantization_demands demands;
-  double seconds = 30;
-  double relative_gap = 0.01;
-};
 
 // Solves the program of [LCK21b] for a T-mesh, in four steps that each begin with the best solution
 // so far:

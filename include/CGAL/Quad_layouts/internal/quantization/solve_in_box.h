@@ -92,6 +92,9 @@ public:
     m_objective->set_offset(m_fixed_cost);
   }
 
+  // The first columns are the variables of the program, but for those that the box fixes.
+  const Traits& program() const { return m_traits; }
+
   Box_solution solve(const Search_effort& effort)
   {
     Box_solution result;
