@@ -228,6 +228,18 @@ void is_right_and_repeatable_where_it_ends()
   }
 }
 
+template <class Traits>
+void check_all()
+{
+  finds_the_optimum_and_tells_infeasibility<Traits>();
+  tells_that_there_are_no_integers<Traits>();
+  maximizes<Traits>();
+  solves_linear_programs<Traits>();
+  bears_programs_without_rows_or_columns<Traits>();
+  respects_limits<Traits>();
+  is_right_and_repeatable_where_it_ends<Traits>();
+}
+
 } // namespace solver_cases
 
 #endif // QUAD_LAYOUTS_TEST_SOLVER_CASES_H

@@ -160,39 +160,9 @@ void make_random(Traits& traits, unsigned seed)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(finds_the_optimum_and_tells_infeasibility)
+BOOST_AUTO_TEST_CASE(holds_what_holds_for_all_solvers)
 {
-  solver_cases::finds_the_optimum_and_tells_infeasibility<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(tells_that_there_are_no_integers)
-{
-  solver_cases::tells_that_there_are_no_integers<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(maximizes)
-{
-  solver_cases::maximizes<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(solves_linear_programs)
-{
-  solver_cases::solves_linear_programs<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(bears_programs_without_rows_or_columns)
-{
-  solver_cases::bears_programs_without_rows_or_columns<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(respects_limits)
-{
-  solver_cases::respects_limits<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(is_right_and_repeatable_where_it_ends)
-{
-  solver_cases::is_right_and_repeatable_where_it_ends<Traits>();
+  solver_cases::check_all<Traits>();
 }
 
 BOOST_AUTO_TEST_CASE(agrees_with_glpk)

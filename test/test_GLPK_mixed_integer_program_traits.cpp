@@ -15,39 +15,9 @@ namespace internal = CGAL::Quad_layouts::internal;
 
 using Traits = CGAL::Quad_layouts::GLPK_mixed_integer_program_traits<double>;
 
-BOOST_AUTO_TEST_CASE(finds_the_optimum_and_tells_infeasibility)
+BOOST_AUTO_TEST_CASE(holds_what_holds_for_all_solvers)
 {
-  solver_cases::finds_the_optimum_and_tells_infeasibility<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(tells_that_there_are_no_integers)
-{
-  solver_cases::tells_that_there_are_no_integers<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(maximizes)
-{
-  solver_cases::maximizes<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(solves_linear_programs)
-{
-  solver_cases::solves_linear_programs<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(bears_programs_without_rows_or_columns)
-{
-  solver_cases::bears_programs_without_rows_or_columns<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(respects_limits)
-{
-  solver_cases::respects_limits<Traits>();
-}
-
-BOOST_AUTO_TEST_CASE(is_right_and_repeatable_where_it_ends)
-{
-  solver_cases::is_right_and_repeatable_where_it_ends<Traits>();
+  solver_cases::check_all<Traits>();
 }
 
 BOOST_AUTO_TEST_CASE(survives_fatal_errors_of_glpk)

@@ -11,11 +11,10 @@
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Deviation_limits.h>
 #include <CGAL/Quad_layouts/internal/embedding/Layout_embedding.h>
-#include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
-
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -76,12 +75,7 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Integer_grid_map embed_quad_layout(const T_mesh& t_mesh, const Quad_layout& layout,
                                    const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
-                                    0.01 * t_mesh.surface().diagonal());
-  internal::require_positive("target_edge_length", h);
+  const double h = internal::target_edge_length(t_mesh.surface(), np);
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("embed_quad_layout", [&] {
     return internal::Layout_embedding(t_mesh, layout, h, monitor).map();

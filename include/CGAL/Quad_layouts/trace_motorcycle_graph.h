@@ -10,29 +10,13 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
-#include <CGAL/Quad_layouts/internal/require_parameter.h>
+#include <CGAL/Quad_layouts/internal/Deviation_limits.h>
 #include <CGAL/Quad_layouts/internal/tracing/trace_in_field.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
-#include <cmath>
-
 namespace CGAL {
 namespace Quad_layouts {
-
-namespace internal {
-
-// throws unless the parameters of tracing are in their ranges
-inline void check_tracing_parameters(double maximum_deviation, double maximum_displacement,
-                                     double target_edge_length)
-{
-  require_parameter(maximum_deviation > 0 && maximum_deviation < 90, "maximum_deviation",
-                    maximum_deviation, "between 0 and 90 degrees");
-  require_not_negative("maximum_displacement", maximum_displacement);
-  require_positive("target_edge_length", target_edge_length);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgQuadLayoutsFunctions
@@ -111,20 +95,12 @@ template <class NamedParameters = parameters::Default_named_parameters>
 T_mesh trace_motorcycle_graph(const Cross_field& field,
                               const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  constexpr double degree = 3.14159265358979323846 / 180;
-  const double alpha = choose_parameter(get_parameter(np, internal_np::maximum_deviation), 15.);
-  const double r = choose_parameter(get_parameter(np, internal_np::maximum_displacement), 2.);
-  const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
-                                    0.01 * field.surface().diagonal());
-  internal::check_tracing_parameters(alpha, r, h);
+  const internal::Deviation_limits limits = internal::deviation_limits(field.surface(), np);
   CGAL_precondition(field.surface().is_closed());
 
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("trace_motorcycle_graph", [&] {
-    return internal::trace_in_field(field, std::tan(alpha * degree), r * h, monitor);
+    return internal::trace_in_field(field, limits.tangent, limits.displacement, monitor);
   });
 }
 

@@ -8,11 +8,10 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_OPTIONS_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/Deviation_limits.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
-
-#include <cmath>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -32,27 +31,18 @@ Quantization_options quantization_options(const T_mesh& t_mesh, const NamedParam
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  constexpr double degree = 3.14159265358979323846 / 180;
-
-  const double alpha = choose_parameter(get_parameter(np, internal_np::maximum_deviation), 15.);
-  const double r = choose_parameter(get_parameter(np, internal_np::maximum_displacement), 2.);
-  const double h = choose_parameter(get_parameter(np, internal_np::target_edge_length),
-                                    0.01 * t_mesh.surface().diagonal());
+  const Deviation_limits limits = deviation_limits(t_mesh.surface(), np);
   const int least = choose_parameter(get_parameter(np, internal_np::minimum_valence), 3);
   const int most = choose_parameter(get_parameter(np, internal_np::maximum_valence), 8);
   const double seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                           30.);
   const double gap = choose_parameter(get_parameter(np, internal_np::relative_gap), 0.01);
 
-  require_parameter(alpha > 0 && alpha < 90, "maximum_deviation", alpha,
-                    "between 0 and 90 degrees");
-  require_not_negative("maximum_displacement", r);
-  require_positive("target_edge_length", h);
   require_parameter(least >= 1 && least <= 4, "minimum_valence", least, "in 1 to 4");
   require_parameter(most >= 4, "maximum_valence", most, "at least 4");
   require_parameter(seconds > 0, "maximum_running_time", seconds, "a number > 0");
   require_parameter(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
-  return {{std::tan(alpha * degree), 2 * r * h, 4 - most, 4 - least}, seconds, gap};
+  return {{limits.tangent, 2 * limits.displacement, 4 - most, 4 - least}, seconds, gap};
 }
 
 } // namespace internal
