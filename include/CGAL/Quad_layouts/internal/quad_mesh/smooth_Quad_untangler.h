@@ -61,8 +61,17 @@ public:
 
   // Searches for better places of single vertices, from where they are and from the relaxed state.
   // This also helps where quads are not small compared to features of the surface, so that neither
-  // its normals at their corners nor derivatives tell the way. Improves poor quads, too.
+  // its normals at their corners nor derivatives tell the way. Improves poor quads, too. Begins anew,
+  // which is with better surroundings, if bad quads remain.
   void repair()
+  {
+    constexpr int attempts = 5;
+    for (int i = 0; i < attempts && (i == 0 || badness(all_quads(), 0).bad_quads > 0); ++i)
+      repair_once();
+  }
+
+private:
+  void repair_once()
   {
     constexpr double poor = 0.5;
     const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
@@ -80,7 +89,6 @@ public:
     shake(suspects);
   }
 
-private:
   // how far quads are from being good
   struct Badness
   {
