@@ -22,7 +22,7 @@ using QL::internal::Triangle_surface;
 
 namespace {
 
-Curve_mesh charted(const generated::Mesh& mesh)
+Curve_mesh curve_mesh_of(const generated::Mesh& mesh)
 {
   return Curve_mesh(QL::compute_cross_field(mesh).surface());
 }
@@ -63,7 +63,7 @@ int number_of_marks(const Curve_mesh& mesh)
 
 BOOST_AUTO_TEST_CASE(splits_keep_marks)
 {
-  Curve_mesh mesh = charted(generated::icosphere(2));
+  Curve_mesh mesh = curve_mesh_of(generated::icosphere(2));
   std::mt19937 random(1);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     mesh.is_original[h] = 1;
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(splits_keep_marks)
 
 BOOST_AUTO_TEST_CASE(collapses_undo_splits)
 {
-  Curve_mesh mesh = charted(generated::icosphere(2));
+  Curve_mesh mesh = curve_mesh_of(generated::icosphere(2));
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     mesh.is_original[h] = 1;
   const Curve_mesh before = mesh;
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(collapses_undo_splits)
 BOOST_AUTO_TEST_CASE(collapses_keep_curves)
 {
   // a closed curve around a vertex
-  Curve_mesh mesh = charted(generated::icosphere(3));
+  Curve_mesh mesh = curve_mesh_of(generated::icosphere(3));
   for (const int h : mesh.outgoing(0)) {
     mesh.curve[Curve_mesh::next(h)] = 0;
     mesh.curve[mesh.opposite(Curve_mesh::next(h))] = 1;

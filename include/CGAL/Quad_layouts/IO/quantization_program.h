@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/internal/layout/quotient.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_options.h>
 #include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
+#include <CGAL/Quad_layouts/internal/quantization/copy_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
 #include <CGAL/Quad_layouts/internal/quantization/write_mps.h>
 #include <CGAL/Quad_layouts/parameters.h>
@@ -37,31 +38,43 @@ public:
   bool solve() override { return false; }
 };
 
-// Takes the values of x0, x1, ... out of the words of a solution: each name is followed by its
-// value. What is not mentioned is 0.
+// i for the word x<i>, -1 for others
+inline int variable_number(const std::string& word)
+{
+  const bool is_name = word.size() > 1 && word.size() < 10 && word[0] == 'x' &&
+                       word.find_first_not_of("0123456789", 1) == std::string::npos;
+  return is_name ? std::atoi(word.c_str() + 1) : -1;
+}
+
+inline int length_of(const std::string& name, const std::string& text)
+{
+  constexpr double tolerance = 1e-5, largest = 1e9; // of solvers; of what makes sense
+  char* end;
+  const double value = std::strtod(text.c_str(), &end);
+  const double rounded = std::round(value);
+  if (text.empty() || *end != 0 || !(std::abs(value - rounded) <= tolerance) || rounded < 0 ||
+      rounded > largest)
+    throw Stage_failure("read_quantization: " + name + " is \"" + text + "\", which is no length");
+  return int(rounded);
+}
+
+// Takes the values of x0, x1, ... out of the lines of a solution: each name is followed by its
+// value, or by an asterisk and its value. What is not mentioned is 0.
 inline std::vector<int> read_values(std::istream& in, int variables)
 {
   std::vector<int> result(variables, 0);
   std::string line;
   while (std::getline(in, line)) {
     std::istringstream words(line);
-    for (std::string word; words >> word;) {
-      const bool is_name = word.size() > 1 && word.size() < 10 && word[0] == 'x' &&
-                           word.find_first_not_of("0123456789", 1) == std::string::npos;
-      double value;
-      if (!is_name || !(words >> value))
-        continue;
-      const long i = std::atol(word.c_str() + 1);
-      constexpr double tolerance = 1e-5, largest = 1e9; // of solvers; of what makes sense
-      const bool is_length = value > -tolerance && value < largest &&
-                             std::abs(value - std::round(value)) <= tolerance;
-      if (i < variables && !is_length)
-        throw Stage_failure("read_quantization: " + word + " is " + std::to_string(value) +
-                            ", which is no length");
-      if (i < variables)
-        result[i] = int(std::lround(value));
-      break;
-    }
+    std::string name, value;
+    while (words >> name && variable_number(name) < 0)
+      ;
+    if (!words || variable_number(name) >= variables)
+      continue;
+    words >> value;
+    if (value == "*")
+      words >> value;
+    result[variable_number(name)] = length_of(name, value);
   }
   return result;
 }
@@ -99,8 +112,10 @@ bool write_quantization_program(std::ostream& out, const T_mesh& t_mesh,
   const Reduced_program program = reduce(
       t_mesh, build_quantization_program(t_mesh, options.demands), Dual_graph(t_mesh));
   const Box everything(program.number_of_variables());
-  write_mps(out,
-            Box_program<Unsolved_program>(program, everything, {}, Domain::INTEGERS).program());
+  const Box_program<Unsolved_program> whole(program, everything, {}, Domain::INTEGERS);
+  Program_search plain;
+  copy_program(whole.program(), plain);
+  write_mps(out, plain);
   return out.good();
 }
 
@@ -109,7 +124,7 @@ bool write_quantization_program(std::ostream& out, const T_mesh& t_mesh,
 
 reads a solution of the program that `write_quantization_program()` has written. Any text is
 understood in which a line has the name of a variable and then its value, as the solution files of
-CBC, GLPK, HiGHS, SCIP and Gurobi do; what is not mentioned is 0.
+CBC and GLPK do; what is not mentioned is 0.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

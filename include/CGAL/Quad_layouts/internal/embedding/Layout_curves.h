@@ -81,8 +81,8 @@ private:
     }
   }
 
-  // Per halfedge of the mesh the layout halfedge whose curve it is to be part of, or -1. Of all arcs
-  // that are mapped to a layout edge, the longest is chosen.
+  // Per halfedge of the mesh the layout halfedge whose curve it is to be part of, or -1. Of all
+  // arcs that are mapped to a layout edge, the longest is chosen.
   std::vector<int> chosen_curves(const Quantized_overlay& overlay) const
   {
     using Unit = std::pair<int, int>; // arc, number along the arc

@@ -59,8 +59,8 @@ inline std::vector<std::vector<int>> stars(const Map& map)
 }
 
 // The map of a mesh on which a layout is drawn, without coordinates: the chart of a face is that of
-// the layout face in which it lies, so charts change along the curves. The chart of a vertex is that
-// of one of its faces; about a cone the vertex is at the origin of its own chart.
+// the layout face in which it lies, so charts change along the curves. The chart of a vertex is
+// that of one of its faces; about a cone the vertex is at the origin of its own chart.
 inline Map make_map(const Curve_mesh& mesh, const Layout_squares& squares,
                     const std::vector<char>& is_cone, double unit)
 {

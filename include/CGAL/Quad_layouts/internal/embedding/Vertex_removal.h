@@ -106,12 +106,11 @@ public:
 
   const std::vector<int>& star(int v) const { return m_star[v]; }
 
-  std::vector<int> neighbours(int u) const
+  template <class Visit>
+  void for_each_neighbour(int u, Visit&& visit) const
   {
-    std::vector<int> result;
     for (const int f : m_star[u])
-      result.push_back(next_around(f, u));
-    return result;
+      visit(next_around(f, u));
   }
 
 private:
@@ -164,8 +163,8 @@ private:
     if (m_is_queued[u] || m_kind[u] == HELD || m_star[u].empty())
       return;
     Entry best(forbidden, u, -1);
-    for (const int v : neighbours(u))
-      best = (std::min)(best, Entry(cost_of_collapse(u, v), u, v));
+    for_each_neighbour(
+        u, [&](int v) { best = (std::min)(best, Entry(cost_of_collapse(u, v), u, v)); });
     if (std::get<0>(best) == forbidden)
       return;
     m_queue.push(best);
@@ -252,7 +251,8 @@ private:
                                      [&](int f) { return m_map.faces[f].has(v); });
     const Map::Face& s = m_map.faces[shared];
     const Chart_change into = s.chart[s.corner_of(u)].inverse().after(s.chart[s.corner_of(v)]);
-    const std::vector<int> around = neighbours(u);
+    std::vector<int> around;
+    for_each_neighbour(u, [&](int w) { around.push_back(w); });
     Removal removal{u, v, std::exchange(m_star[u], {}), {}};
     for (const int f : removal.faces) {
       Map::Face& face = m_map.faces[f];

@@ -73,9 +73,10 @@ inline void restore(Map& map, Vertex_removal& levels, int left, const std::vecto
     if (!Vertex_neighbourhood(map, v, levels.star(v), aspect).find_center(map.coordinates[v]))
       throw Stage_failure("embed: there is no room in the map for vertex " + std::to_string(v));
     improve_vertex(map, levels, v, 4, aspect);
-    for (const int w : levels.neighbours(v))
+    levels.for_each_neighbour(v, [&](int w) {
       if (!is_fixed[w])
         improve_vertex(map, levels, w, 1, aspect);
+    });
   }
 }
 

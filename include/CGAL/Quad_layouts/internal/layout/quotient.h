@@ -43,7 +43,11 @@ struct Quotient_cut
   // more is collapsed, or patches are shifted.
   bool is_exact;
 
-  bool operator<(const Quotient_cut& other) const { return arcs < other.arcs; }
+  // of those with the same arcs the exact one comes first, and stays
+  bool operator<(const Quotient_cut& other) const
+  {
+    return arcs != other.arcs ? arcs < other.arcs : is_exact > other.is_exact;
+  }
   bool operator==(const Quotient_cut& other) const { return arcs == other.arcs; }
 };
 

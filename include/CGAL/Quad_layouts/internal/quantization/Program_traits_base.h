@@ -8,10 +8,10 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_PROGRAM_TRAITS_BASE_H
 
 #include <CGAL/Quad_layouts/internal/quantization/Program_search.h>
+#include <CGAL/Quad_layouts/internal/quantization/copy_program.h>
 
 #include <CGAL/Mixed_integer_program_traits.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -65,9 +65,7 @@ public:
   {
     Search search;
     search.limits = m_limits;
-    fill_columns(search);
-    fill_rows(search);
-    fill_objective(search);
+    copy_program(*this, search);
     search.start.assign(m_start.begin(), m_start.end());
     std::exception_ptr exception;
     search.stop = [&] {
@@ -85,52 +83,6 @@ public:
   }
 
 private:
-  void fill_columns(Search& search) const
-  {
-    for (const Variable* v : this->variables_) {
-      FT low, high;
-      v->get_bounds(low, high);
-      const bool is_binary = v->variable_type() == Variable::BINARY;
-      search.columns.push_back({is_binary ? 0. : finite(low), is_binary ? 1. : finite(high),
-                                v->variable_type() != Variable::CONTINUOUS});
-    }
-  }
-
-  void fill_rows(Search& search) const
-  {
-    for (const Linear_constraint* c : this->constraints_) {
-      FT low, high;
-      c->get_bounds(low, high);
-      search.rows.push_back({finite(low - c->offset()), finite(high - c->offset()), sorted(*c)});
-    }
-  }
-
-  void fill_objective(Search& search) const
-  {
-    search.maximize = this->objective_->sense() == Linear_objective::MAXIMIZE;
-    search.objective = sorted(*this->objective_);
-    search.objective_offset = double(this->objective_->offset());
-  }
-
-  // coefficients are stored by address; their order must not depend on it
-  template <class Expression>
-  static typename Search::Terms sorted(const Expression& expression)
-  {
-    typename Search::Terms terms;
-    for (const auto& term : expression.coefficients())
-      terms.emplace_back(term.first->index(), double(term.second));
-    std::sort(terms.begin(), terms.end());
-    return terms;
-  }
-
-  static double finite(FT bound)
-  {
-    constexpr double infinity = (std::numeric_limits<double>::infinity)();
-    return bound >= Variable::infinity()    ? infinity
-           : bound <= -Variable::infinity() ? -infinity
-                                            : double(bound);
-  }
-
   bool take_result(const Search& search)
   {
     using Outcome = typename Search::Outcome;
