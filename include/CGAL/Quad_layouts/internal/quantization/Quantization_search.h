@@ -67,7 +67,7 @@ public:
       make_index_rows_lazy_if_many(m_program);
       solve_relaxation();
       search_whole_program(20, 0.1);
-      for (int factor = 1; !is_done(); factor = (std::min)(4 * factor, largest_factor)) {
+      for (int factor = 1; !is_done() && factor <= largest_factor; factor *= 4) {
         search_disagreement(200 * factor);
         search_neighbourhoods(60 * factor);
         if (factor > 1 && !is_done())
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  static constexpr int largest_factor = 1 << 20; // keeps limits of nodes in the range of numbers
+  static constexpr int largest_factor = 1 << 16; // of the effort; ends the search of poor solvers
 
   bool is_proven() const
   {
