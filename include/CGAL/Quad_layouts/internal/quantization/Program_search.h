@@ -96,6 +96,15 @@ protected:
     return limits.nodes < most / iterations_per_node ? limits.nodes * iterations_per_node : most;
   }
 
+  // a program of constants
+  void solve_without_columns()
+  {
+    outcome = Outcome::COMPLETE;
+    take_solution({});
+    if (has_solution)
+      bound = objective_value;
+  }
+
   // keeps `x` if it is feasible and better than what is known; says if it is feasible
   bool take_solution(std::vector<double> x)
   {

@@ -163,15 +163,6 @@ private:
         program.setInteger(int(i));
   }
 
-  // a program of constants
-  void solve_without_columns()
-  {
-    outcome = Outcome::COMPLETE;
-    take_solution({});
-    if (has_solution)
-      bound = objective_value;
-  }
-
   // says if there is a reason to branch
   bool solve_relaxation(OsiClpSolverInterface& program)
   {
