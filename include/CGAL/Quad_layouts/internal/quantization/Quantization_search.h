@@ -49,16 +49,16 @@ public:
   Quantization_search(const T_mesh& t_mesh, const Quantization_options& options,
                       const Monitor& monitor)
     : m_t_mesh(t_mesh), m_options(options), m_monitor(monitor),
-      m_paper(build_quantization_program(t_mesh, options.demands)), m_graph(t_mesh),
-      m_program(reduce(t_mesh, m_paper, m_graph)), m_incumbent(t_mesh, m_paper, m_graph, m_program),
-      m_neighbourhoods(t_mesh, m_graph)
+      m_paper(build_quantization_program(t_mesh, options.demands, options.wishes)),
+      m_graph(t_mesh, m_paper.zero_arcs()), m_program(reduce(t_mesh, m_paper, m_graph)),
+      m_incumbent(t_mesh, m_paper, m_graph, m_program), m_neighbourhoods(t_mesh, m_graph)
   {
     m_timer.start();
   }
 
   Quantization run()
   {
-    if (m_incumbent.start()) {
+    if (m_incumbent.start() || find_first_solution()) {
       report();
       make_index_rows_lazy_if_many(m_program);
       solve_relaxation();
@@ -120,7 +120,26 @@ private:
     return int((std::max)(1., (std::min)(200., 4e7 / (n * n))));
   }
 
-  // solves again as long as the solution violates what the solver did not see; at last with all cuts
+  // is for programs with rows that sums of dual loops do not satisfy; says if there is a solution
+  bool find_first_solution()
+  {
+    if (m_program.mirrored.empty())
+      return false;
+    constexpr int nodes = 1000;
+    m_program.inexact_cuts_are_visible = true;
+    bool found;
+    int rows;
+    do {
+      rows = m_program.number_of_visible_rows();
+      search(Box(m_program.number_of_variables()), effort(nodes, 0.5, m_options.relative_gap),
+             found);
+    } while (!found && m_program.number_of_visible_rows() > rows && seconds_left() > 0);
+    m_program.inexact_cuts_are_visible = false;
+    return found;
+  }
+
+  // solves again as long as the solution violates what the solver did not see; at last with all
+  // cuts
   void search_whole_program()
   {
     const Box everything(m_program.number_of_variables());
@@ -149,8 +168,8 @@ private:
     const Box everything(m_program.number_of_variables());
     const int nodes = 20 + m_program.number_of_variables() / 50;
     do {
-      Box_solution solution = solve_in_box<Traits>(m_program, everything, {},
-                                                   effort(nodes, 0.2, 0), Domain::REALS);
+      Box_solution solution = solve_in_box<Traits>(m_program, everything, {}, effort(nodes, 0.2, 0),
+                                                   Domain::REALS);
       m_monitor.check("quantize");
       if (solution.x.empty())
         return;
@@ -191,6 +210,7 @@ private:
       const std::size_t k = i % order.size();
       std::swap(order[k], order[k + random() % (order.size() - k)]);
       Box box = m_neighbourhoods.around(order[k], int(size), m_incumbent.values());
+      free_mirrored(m_program, box);
       if (i % 2 == 1 && !m_relaxation.empty())
         restrict_to_support(box);
       bool improved;
@@ -223,7 +243,7 @@ private:
       return result;
     result.arc_length = m_program.arc_lengths(m_incumbent.values());
     const Quantization_check check = check_quantization(m_t_mesh, m_paper, result.arc_length);
-    CGAL_postcondition(check.consistent);
+    CGAL_postcondition(check.consistent && check.grants_wishes);
     result.objective = check.objective;
     result.violated = check.violated();
     result.status = is_proven() ? Quantization::OPTIMAL : Quantization::FEASIBLE;
