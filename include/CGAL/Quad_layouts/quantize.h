@@ -131,6 +131,15 @@ the whole search the limit itself, which is usual above about one hundred singul
     \cgalParamExtra{Images of faces must be faces. With a symmetry the first solution is left to the
                     solver, which should be a good one if there are hundreds of singularities.}
   \cgalParamNEnd
+  \cgalParamNBegin{lock_alignments}
+    \cgalParamDescription{whether singularities that lie on a common line of the field, one next to
+                          the other, stay on one, as on mechanical parts. Otherwise they are as free
+                          as any others, and each may be offset if that is simpler.}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{A line may miss a singularity by a slope of 0.025. Alignments that would make
+                    singularities fall together are given up.}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told the progress, and can stop the work}
     \cgalParamType{a class like `Default_visitor`}
@@ -145,7 +154,8 @@ the whole search the limit itself, which is usual above about one hundred singul
 
 \throw Invalid_parameter if a parameter is out of its range.
 \throw Unsatisfiable_demand if no quantization keeps a pair of `forbidden_merges` separate, or makes
-       the layout edge of one of `forced_connections`; the message names its vertices.
+       the layout edge of one of `forced_connections`; the message names its vertices. Or if no
+       trace has an image under `vertex_symmetry`.
 \throw Cancelled if the visitor asks to stop.
 
 The first solution takes time about quadratic in the number of traces. The program is NP-hard: its

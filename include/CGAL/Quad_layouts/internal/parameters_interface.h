@@ -27,6 +27,7 @@ CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(face_weight_map)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(forbidden_merges)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(forced_connections)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(vertex_symmetry)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(lock_alignments)
 
 // of the quad mesh
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(vertex_is_layout_node_map)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_wishes.h>
+#include <CGAL/Quad_layouts/internal/quantization/alignments.h>
 #include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
 #include <CGAL/Quad_layouts/internal/quantization/mirrored_arcs.h>
 #include <CGAL/Quad_layouts/internal/quantization/wished_connections.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -58,11 +58,12 @@ struct Quantization_program
   std::vector<Close_pair> separate; // nodes that do not fall together, so that the path is positive
   std::vector<Wished_connection> connections;
   std::vector<Equation> mirrored;
+  std::vector<int> locked; // arcs between aligned singularities, which are 0
 
   // the arcs that are 0 because the user asks for it
   std::vector<int> zero_arcs() const
   {
-    std::vector<int> result;
+    std::vector<int> result = locked;
     for (const Wished_connection& c : connections)
       result.insert(result.end(), c.zero.begin(), c.zero.end());
     return result;
@@ -129,8 +130,9 @@ inline bool must_be_positive(double own, double other, bool own_is_longer,
                        : own - demands.reach > demands.tangent * (other + demands.reach);
 }
 
-// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the
-// one of the later trace counts as the longer.
+// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of two legs that one is
+// the longer which was it in tracing, as the T-mesh has noted: also if they are equally long, or
+// sums of lengths are rounded in another way.
 inline std::vector<Quantization_program::Prefixes> prefixes(
     const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
     const Quantization_demands& demands)
@@ -139,13 +141,11 @@ inline std::vector<Quantization_program::Prefixes> prefixes(
   for (const auto& visits : t_mesh.node_visits) {
     if (visits.size() != 2)
       continue;
-    const auto key = [&](const T_mesh::Visit& v) {
-      return std::make_tuple(lengths[v.trace][v.arcs], v.trace, v.arcs);
-    };
     for (int k : {0, 1}) {
-      const auto own = key(visits[k]), other = key(visits[1 - k]);
-      if (must_be_positive(std::get<0>(own), std::get<0>(other), own > other, demands))
-        result[visits[k].trace].push_back(visits[k].arcs);
+      const T_mesh::Visit &own = visits[k], &other = visits[1 - k];
+      if (must_be_positive(lengths[own.trace][own.arcs], lengths[other.trace][other.arcs], k == 1,
+                           demands))
+        result[own.trace].push_back(own.arcs);
     }
   }
   // a trace that runs into a singularity meets it at distance 0 on the other leg
@@ -160,14 +160,18 @@ inline std::vector<Quantization_program::Prefixes> prefixes(
 }
 
 // returns equations that make a quantization as symmetric as the T-mesh is
-inline std::vector<Quantization_program::Equation> mirrored(const T_mesh& t_mesh,
-                                                            const std::vector<int>& vertex_image)
+inline std::vector<Quantization_program::Equation> mirrored(
+    const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
+    const std::vector<int>& vertex_image)
 {
   std::vector<Quantization_program::Equation> result;
   if (vertex_image.empty())
     return result;
   const Surface_symmetry symmetry(t_mesh.surface(), vertex_image);
-  for (auto& [arcs, image] : Mirrored_traces(t_mesh, symmetry).segments())
+  const Mirrored_traces traces(t_mesh, lengths, symmetry);
+  if (traces.is_empty())
+    throw Unsatisfiable_demand("vertex_symmetry: no trace of the T-mesh has an image");
+  for (const auto& [arcs, image] : traces.segments())
     result.push_back({arcs, image});
   return result;
 }
@@ -188,7 +192,9 @@ inline void add_wishes(const T_mesh& t_mesh, const std::vector<std::vector<doubl
   }
   for (const auto& [i, j] : wishes.separate)
     separate(i, j);
-  program.mirrored = mirrored(t_mesh, wishes.vertex_image);
+  program.mirrored = mirrored(t_mesh, lengths, wishes.vertex_image);
+  if (wishes.locks_alignments)
+    program.locked = Alignments(t_mesh, lengths, program.prefixes).lock(program.zero_arcs());
 }
 
 } // namespace quantization_program

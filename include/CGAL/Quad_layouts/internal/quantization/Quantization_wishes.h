@@ -23,6 +23,7 @@ struct Quantization_wishes
   Pairs separate;                 // singularities that must not merge
   Pairs connected;                // singularities that a layout edge must join
   std::vector<int> vertex_image;  // per vertex of the surface, under a symmetry
+  bool locks_alignments = false;
 };
 
 } // namespace internal

@@ -71,7 +71,7 @@ inline bool are_equal(const std::vector<Quantization_program::Equation>& equatio
 
 inline bool grants_wishes(const Quantization_program& program, const std::vector<int>& q)
 {
-  return are_equal(program.mirrored, q) &&
+  return are_equal(program.mirrored, q) && sum_over(program.locked, q) == 0 &&
          std::all_of(program.connections.begin(), program.connections.end(),
                      [&](const Wished_connection& c) {
                        return sum_over(c.zero, q) == 0 && sum_over(c.positive, q) > 0;

@@ -94,12 +94,14 @@ std::vector<int> read_symmetry(const T_mesh& t_mesh, const Images& images)
 template <class NamedParameters>
 Quantization_wishes quantization_wishes(const T_mesh& t_mesh, const NamedParameters& np)
 {
+  using parameters::choose_parameter;
   using parameters::get_parameter;
   return {
       read_arc_weights(t_mesh, get_parameter(np, internal_np::arc_weight_map)),
       read_pairs("forbidden_merges", t_mesh, get_parameter(np, internal_np::forbidden_merges)),
       read_pairs("forced_connections", t_mesh, get_parameter(np, internal_np::forced_connections)),
-      read_symmetry(t_mesh, get_parameter(np, internal_np::vertex_symmetry))};
+      read_symmetry(t_mesh, get_parameter(np, internal_np::vertex_symmetry)),
+      choose_parameter(get_parameter(np, internal_np::lock_alignments), false)};
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_WEIGHTED_LENGTHS_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/quantization/point_of_crossing.h>
 
 #include <vector>
 
@@ -53,19 +54,11 @@ private:
     };
     const double first_weight = m_weight[face];
     for (const T_mesh::Crossing& c : m_t_mesh.arc_crossings[arc]) {
-      go_to(place_of(c));
+      go_to(point_of(m_t_mesh, c));
       face = c.halfedge / 3;
     }
     go_to(m_t_mesh.point(m_t_mesh.target(2 * arc)));
     return length > 0 ? weighted / length : first_weight;
-  }
-
-  T_mesh::Point place_of(const T_mesh::Crossing& c) const
-  {
-    const T_mesh::Surface& surface = m_t_mesh.surface();
-    const int e = surface.edge(c.halfedge), h = surface.halfedge_of_edge(e);
-    const double t = m_t_mesh.crossing_parameters[e][c.position];
-    return (1 - t) * surface.point(surface.source(h)) + t * surface.point(surface.target(h));
   }
 
   const T_mesh& m_t_mesh;
