@@ -11,6 +11,15 @@ missing_packages()
   done
 }
 
+# Prints those of the given packages that this Debian has.
+available_packages()
+{
+  local package
+  for package in "$@"; do
+    ! apt-cache show "$package" >/dev/null 2>&1 || printf '%s ' "$package"
+  done
+}
+
 # Installs the given Debian packages as far as they are missing. Who may not do that is told the
 # line to run.
 require_packages()

@@ -221,6 +221,39 @@ void is_right_and_repeatable_where_it_ends()
   }
 }
 
+// The start solution remains unless there is a better one, whenever the search ends.
+template <class Traits>
+void keeps_the_start_solution()
+{
+  for (int questions = 0; questions < 400; questions = 1 + questions * 5 / 4) {
+    Traits traits;
+    traits.set_start_solution(make_hard_but_feasible(traits));
+    int asked = 0;
+    traits.set_interrupt([&] { return ++asked > questions; });
+    BOOST_TEST(traits.solve());
+    BOOST_TEST(traits.status() == Traits::FEASIBLE);
+    BOOST_TEST(traits.best_bound() <= traits.objective_value());
+    for (const auto* row : traits.constraints()) {
+      double value = 0;
+      for (const auto& term : row->coefficients())
+        value += term.second * term.first->solution_value();
+      BOOST_TEST(value == row->lower_bound());
+    }
+  }
+}
+
+template <class Traits>
+void does_not_trust_an_infeasible_start_solution()
+{
+  Traits traits;
+  auto* x = traits.create_variable(Traits::Variable::INTEGER, 0, 10);
+  traits.create_constraint(3, infinity)->add_coefficient(x, 1);
+  traits.create_objective()->add_coefficient(x, 1);
+  traits.set_start_solution({1});
+  BOOST_TEST(traits.solve());
+  BOOST_TEST(x->solution_value() == 3);
+}
+
 template <class Traits>
 void check_all()
 {

@@ -111,12 +111,16 @@ grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 pat
 expect 0 "" cube.off --output result --edge-length 0.05 --write-program program.mps --quiet
 [ "$(tail -n 1 program.mps)" = ENDATA ] || fail "the integer program is not complete"
 
-# the other solver, or that it is missing
-if "$program" cube.off --solver cbc --output by_cbc --edge-length 0.05 --quiet 2>stderr; then
-  grep -q '"patches": 6,' by_cbc/stats.json || fail "by_cbc/stats.json does not say 6 patches"
-else
-  grep -q "cbc is not built into this program" stderr || fail "--solver cbc: $(cat stderr)"
-fi
+# the other solvers, or that they are missing
+for solver in cbc highs; do
+  out=by_$solver
+  if "$program" cube.off --solver $solver --output $out --edge-length 0.05 --quiet 2>stderr; then
+    grep -q '"patches": 6,' $out/stats.json || fail "$out/stats.json does not say 6 patches"
+  else
+    grep -q "$solver is not built into this program" stderr ||
+      fail "--solver $solver: $(cat stderr)"
+  fi
+done
 
 if [ $failures = 0 ]; then
   echo "all well"

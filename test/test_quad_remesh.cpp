@@ -52,6 +52,19 @@ BOOST_AUTO_TEST_CASE(polyhedron_in_and_out)
   BOOST_TEST(QL::measure_quad_mesh(quads).patches == 6);
 }
 
+BOOST_AUTO_TEST_CASE(weights_of_faces)
+{
+  auto mesh = generated::cube(4);
+  auto weight = mesh.add_property_map<generated::Mesh::Face_index, double>("f:weight", 3.).first;
+  const auto np = QL::parameters::face_weight_map(weight);
+  generated::Mesh layout, quads;
+  QL::quad_layout(mesh, layout, np);
+  BOOST_TEST(num_faces(layout) == 6u);
+  *weight.begin() = 0;
+  BOOST_CHECK_THROW(QL::quad_remesh(mesh, quads, np), QL::Invalid_parameter);
+  BOOST_TEST(num_faces(quads) == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(nothing_is_left_where_it_fails)
 {
   const auto mesh = generated::cube(3);

@@ -26,7 +26,7 @@ struct Options
   std::string field;           // a file, or empty; so are these:
   std::string program;         // to write
   std::string solution;        // to read
-  std::string solver = "glpk"; // or "cbc"
+  std::string solver = "glpk"; // or "cbc" or "highs"
   double alpha = 15;           // degrees
   double displacement = 2;     // target edge lengths
   double edge_length = 0.01;   // of the diagonal of the bounding box
@@ -53,7 +53,7 @@ inline const char* usage()
          "  --edge-length FRACTION of the quads, by the bounding box's diagonal (0.01)\n"
          "  --min-valence N        least valence of a vertex (3)\n"
          "  --max-valence N        greatest valence of a vertex (8)\n"
-         "  --solver NAME          of the integer program: glpk or cbc (glpk)\n"
+         "  --solver NAME          of the integer program: glpk, cbc or highs (glpk)\n"
          "  --time-limit S         for the integer program, in seconds (30)\n"
          "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
          "  --write-program FILE   where to write the integer program, in MPS format\n"
@@ -85,16 +85,21 @@ Number number(const std::string& option, const std::string& text)
 
 inline void check_solver(const std::string& name)
 {
+  // what is built into this program, and what others come from
+  std::map<std::string, bool> is_there = {{"glpk", true}, {"cbc", false}, {"highs", false}};
+  const std::map<std::string, std::string> package = {{"cbc", "CBC (coinor-libcbc-dev)"},
+                                                      {"highs", "HiGHS (libhighs-dev)"}};
 #ifdef CGAL_USE_CBC
-  const bool has_cbc = true;
-#else
-  const bool has_cbc = false;
+  is_there["cbc"] = true;
 #endif
-  if (name != "glpk" && name != "cbc")
-    throw Usage_error("unknown solver " + name + ": there are glpk and cbc");
-  if (name == "cbc" && !has_cbc)
-    throw Usage_error("the solver cbc is not built into this program, only glpk: build it where "
-                      "CBC (coinor-libcbc-dev) is installed");
+#ifdef CGAL_USE_HIGHS
+  is_there["highs"] = true;
+#endif
+  if (is_there.count(name) == 0)
+    throw Usage_error("unknown solver " + name + ": there are glpk, cbc and highs");
+  if (!is_there[name])
+    throw Usage_error("the solver " + name + " is not built into this program: build it where " +
+                      package.at(name) + " is installed");
 }
 
 inline Options parse(int argc, char* argv[])

@@ -25,6 +25,9 @@
 #ifdef CGAL_USE_CBC
 #include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
 #endif
+#ifdef CGAL_USE_HIGHS
+#include <CGAL/Quad_layouts/HiGHS_mixed_integer_program_traits.h>
+#endif
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Real_timer.h>
@@ -153,6 +156,10 @@ QL::Quantization quantize_by(const std::string& solver, const QL::T_mesh& t_mesh
 #ifdef CGAL_USE_CBC
   if (solver == "cbc")
     return QL::quantize<QL::CBC_mixed_integer_program_traits<double>>(t_mesh, np);
+#endif
+#ifdef CGAL_USE_HIGHS
+  if (solver == "highs")
+    return QL::quantize<QL::HiGHS_mixed_integer_program_traits<double>>(t_mesh, np);
 #endif
   CGAL_USE(solver);
   return QL::quantize<QL::GLPK_mixed_integer_program_traits<double>>(t_mesh, np);

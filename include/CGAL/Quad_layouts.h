@@ -11,6 +11,8 @@
 /// Includes all functions and classes of the package.
 
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
+#include <CGAL/Quad_layouts/Mixed_integer_program_traits_adaptor.h>
+#include <CGAL/Quad_layouts/arc_weights.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/exceptions.h>

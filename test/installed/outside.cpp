@@ -9,16 +9,31 @@
 #ifdef CGAL_USE_CBC
 #include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
 #endif
+#ifdef CGAL_USE_HIGHS
+#include <CGAL/Quad_layouts/HiGHS_mixed_integer_program_traits.h>
+#endif
+
+namespace QL = CGAL::Quad_layouts;
+
+template <class Traits>
+[[maybe_unused]] bool solves()
+{
+  Traits program;
+  program.create_variable(CGAL::Variable<double>::INTEGER, 0, 1);
+  program.create_objective();
+  return program.solve();
+}
 
 int main()
 {
 #ifdef CGAL_USE_CBC
-  CGAL::Quad_layouts::CBC_mixed_integer_program_traits<double> program;
-  program.create_variable(CGAL::Variable<double>::INTEGER, 0, 1);
-  program.create_objective();
-  if (!program.solve())
+  if (!solves<QL::CBC_mixed_integer_program_traits<double>>())
     return 1;
 #endif
-  const CGAL::Quad_layouts::Quad_layout layout;
+#ifdef CGAL_USE_HIGHS
+  if (!solves<QL::HiGHS_mixed_integer_program_traits<double>>())
+    return 1;
+#endif
+  const QL::Quad_layout layout;
   return layout.number_of_irregular_vertices();
 }

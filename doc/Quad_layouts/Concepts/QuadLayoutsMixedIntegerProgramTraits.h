@@ -9,6 +9,10 @@ first template parameter of `CGAL::Quad_layouts::quantize()`.
 
 \cgalHasModel `CGAL::Quad_layouts::GLPK_mixed_integer_program_traits<FT>`
 \cgalHasModel `CGAL::Quad_layouts::CBC_mixed_integer_program_traits<FT>`
+\cgalHasModel `CGAL::Quad_layouts::HiGHS_mixed_integer_program_traits<FT>`
+\cgalHasModel `CGAL::Quad_layouts::Mixed_integer_program_traits_adaptor<PlainTraits>`
+
+The example own_solver.cpp has a small model.
 */
 class QuadLayoutsMixedIntegerProgramTraits
 {

@@ -100,6 +100,14 @@ public:
   using Error::Error;
 };
 
+/// says that no quantization of the T-mesh can do what a named parameter asks for; the message
+/// names the singularities.
+class Unsatisfiable_demand : public Error
+{
+public:
+  using Error::Error;
+};
+
 /// says that the visitor asked to stop.
 class Cancelled : public Error
 {

@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_QUAD_REMESH_H
 #define CGAL_QUAD_LAYOUTS_QUAD_REMESH_H
 
+#include <CGAL/Quad_layouts/arc_weights.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
@@ -19,8 +20,39 @@
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Quad_layouts {
+
+namespace internal {
+
+// quantizes with weights of faces, if there are any
+template <class TriangleMesh, class NamedParameters>
+Quantization quantize_on_mesh(const T_mesh& t_mesh, const TriangleMesh& tm,
+                              const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+  if constexpr (is_default_parameter<NamedParameters, internal_np::face_weight_map_t>::value)
+    return quantize(t_mesh, np);
+  else {
+    const std::vector<double> weights = arc_weights(
+        t_mesh, tm, get_parameter(np, internal_np::face_weight_map));
+    return quantize(t_mesh, append<internal_np::arc_weight_map_t>(np, make_property_map(weights)));
+  }
+}
+
+template <class TriangleMesh, class NamedParameters>
+Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const NamedParameters& np)
+{
+  const Quantization quantization = quantize_on_mesh(t_mesh, tm, np);
+  if (quantization.status == Quantization::INFEASIBLE)
+    throw Stage_failure("quantize: no valid layout was found that meets all demands");
+  return extract_quad_layout(t_mesh, quantization);
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgQuadLayoutsFunctions
@@ -41,11 +73,13 @@ loops and several edges between two vertices, which not every function on meshes
 \param out the mesh that the layout is added to
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-          `maximum_running_time`, `vertex_point_map`, `visitor`, ...
+          `maximum_running_time`, `vertex_point_map`, `visitor`, ...; and `face_weight_map`, which
+          says how dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               `vertex_point_map`
 
-\throw Error one of the exceptions of the stages. Nothing has been added to `out` then.
+\throw Error one of the exceptions of the stages, among them `Stage_failure` if there is no valid
+       layout. Nothing has been added to `out` then.
 */
 template <class TriangleMesh, class LayoutMesh,
           class NamedParameters = parameters::Default_named_parameters,
@@ -55,7 +89,7 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
                  const NamedParametersOut& np_out = parameters::default_values())
 {
   const T_mesh t_mesh = trace_motorcycle_graph(compute_cross_field(tm, np), np);
-  const Quad_layout layout = extract_quad_layout(t_mesh, quantize(t_mesh, np));
+  const Quad_layout layout = internal::simple_layout(t_mesh, tm, np);
   copy_face_graph(layout, out, parameters::default_values(), np_out);
 }
 
@@ -76,7 +110,8 @@ them.
 \param out the mesh that the quadrilaterals are stored in; it must be empty
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-          `maximum_running_time`, `vertex_point_map`, `visitor`, ...
+          `maximum_running_time`, `vertex_point_map`, `visitor`, ...; and `face_weight_map`, which
+          says how dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               those of `extract_quad_mesh()` and `smooth_quad_mesh()`
 
@@ -94,7 +129,7 @@ void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
   CGAL_precondition(is_empty(out));
   const Cross_field field = compute_cross_field(tm, np);
   const T_mesh t_mesh = trace_motorcycle_graph(field, np);
-  const Quad_layout layout = extract_quad_layout(t_mesh, quantize(t_mesh, np));
+  const Quad_layout layout = internal::simple_layout(t_mesh, tm, np);
   extract_quad_mesh(embed_quad_layout(t_mesh, layout, np), layout, out, np_out);
   smooth_quad_mesh(out, tm, np_out, np);
 }

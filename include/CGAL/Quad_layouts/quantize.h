@@ -48,8 +48,8 @@ not depend on the speed of the machine, unless a part reaches its share of the t
 whole search the limit itself, which is usual above about one hundred singularities.
 
 @tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
-        `GLPK_mixed_integer_program_traits<double>`; `CBC_mixed_integer_program_traits<double>` proves
-        better bounds
+        `GLPK_mixed_integer_program_traits<double>`; `CBC_mixed_integer_program_traits<double>` and
+        `HiGHS_mixed_integer_program_traits<double>` prove better bounds
 @tparam NamedParameters a sequence of named parameters
 
 @param t_mesh a T-mesh
@@ -101,6 +101,45 @@ whole search the limit itself, which is usual above about one hundred singularit
     \cgalParamDefault{`0.01`}
     \cgalParamExtra{It must be in 0 to 1.}
   \cgalParamNEnd
+  \cgalParamNBegin{arc_weight_map}
+    \cgalParamDescription{how dear arcs are: the term of each arc in the objective is multiplied by
+                          its weight. `arc_weights()` makes such weights of weights of faces.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `int`, an arc of `t_mesh`, as key
+                   type and `double` as value type}
+    \cgalParamDefault{a weight of 1 for each arc}
+    \cgalParamExtra{Weights must be positive.}
+  \cgalParamNEnd
+  \cgalParamNBegin{forbidden_merges}
+    \cgalParamDescription{pairs of singularities that must not fall together}
+    \cgalParamType{a range of pairs of `int`, which are vertices of the surface}
+    \cgalParamDefault{none}
+    \cgalParamExtra{At each vertex must be a singularity of `t_mesh`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{forced_connections}
+    \cgalParamDescription{pairs of singularities that a layout edge must join: the shortest one
+                          within the limits on deviation. It is divided where other singularities
+                          come to lie on it.}
+    \cgalParamType{a range of pairs of `int`, which are vertices of the surface}
+    \cgalParamDefault{none}
+    \cgalParamExtra{At each vertex must be a singularity of `t_mesh`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_symmetry}
+    \cgalParamDescription{a symmetry of the surface, which the quantization is to have wherever the
+                          T-mesh has it: for each vertex its image}
+    \cgalParamType{a range of `int`, as many as the surface has vertices}
+    \cgalParamDefault{none}
+    \cgalParamExtra{Images of faces must be faces. With a symmetry the first solution is left to the
+                    solver, which should be a good one if there are hundreds of singularities.}
+  \cgalParamNEnd
+  \cgalParamNBegin{lock_alignments}
+    \cgalParamDescription{whether singularities that lie on a common line of the field, one next to
+                          the other, stay on one, as on mechanical parts. Otherwise they are as free
+                          as any others, and each may be offset if that is simpler.}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{A line may miss a singularity by a slope of 0.025. Alignments that would make
+                    singularities fall together are given up.}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told the progress, and can stop the work}
     \cgalParamType{a class like `Default_visitor`}
@@ -110,9 +149,13 @@ whole search the limit itself, which is usual above about one hundred singularit
 
 @return the lengths, with the proof of their quality. The status is `INFEASIBLE` if there is no
         valid layout, which happens only if arcs around a handle have length 0 in every
-        quantization.
+        quantization, or if none was found that has the forbidden merges, forced connections and
+        symmetry that were asked for. These are never given up.
 
 \throw Invalid_parameter if a parameter is out of its range.
+\throw Unsatisfiable_demand if no quantization keeps a pair of `forbidden_merges` separate, or makes
+       the layout edge of one of `forced_connections`; the message names its vertices. Or if no
+       trace has an image under `vertex_symmetry`.
 \throw Cancelled if the visitor asks to stop.
 
 The first solution takes time about quadratic in the number of traces. The program is NP-hard: its

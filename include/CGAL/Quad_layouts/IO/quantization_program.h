@@ -79,6 +79,19 @@ inline std::vector<int> read_values(std::istream& in, int variables)
   return result;
 }
 
+// throws if a solution is not what the user wishes
+inline void check_wishes(const T_mesh& t_mesh, const Quantization_program& program,
+                         const Quantization_check& check, const Quotient_report& report)
+{
+  if (!check.grants_wishes)
+    throw Stage_failure(
+        "read_quantization: a demand on connections, merges or symmetry is not met");
+  for (const Close_pair& pair : program.separate)
+    if (are_merged(report, pair.i, pair.j))
+      throw Stage_failure("read_quantization: " + name_of_pair(t_mesh, pair.i, pair.j) +
+                          " fall together");
+}
+
 } // namespace internal
 
 namespace IO {
@@ -109,8 +122,9 @@ bool write_quantization_program(std::ostream& out, const T_mesh& t_mesh,
 {
   using namespace internal;
   const Quantization_options options = quantization_options(t_mesh, np);
-  const Reduced_program program = reduce(
-      t_mesh, build_quantization_program(t_mesh, options.demands), Dual_graph(t_mesh));
+  const Quantization_program paper = build_quantization_program(t_mesh, options.demands,
+                                                                options.wishes);
+  const Reduced_program program = reduce(t_mesh, paper, Dual_graph(t_mesh, paper.zero_arcs()));
   const Box everything(program.number_of_variables());
   const Box_program<Unsolved_program> whole(program, everything, {}, Domain::INTEGERS);
   Program_search plain;
@@ -135,8 +149,9 @@ CBC and GLPK do; what is not mentioned is 0.
 \returns the lengths of the arcs, with the objective, as a solution that is not proven to be optimal
 
 \throw Invalid_parameter if a parameter is out of its range.
-\throw Stage_failure if a value is not a length, the lengths are not consistent, or the layout is
-       not valid.
+\throw Stage_failure if a value is not a length, the lengths are not consistent, the layout is not
+       valid, or what `np` asks for in particular is not there.
+\throw Unsatisfiable_demand as `quantize()` does.
 */
 template <class NamedParameters = parameters::Default_named_parameters>
 Quantization read_quantization(std::istream& in, const T_mesh& t_mesh,
@@ -144,15 +159,18 @@ Quantization read_quantization(std::istream& in, const T_mesh& t_mesh,
 {
   using namespace internal;
   const Quantization_options options = quantization_options(t_mesh, np);
-  const Quantization_program paper = build_quantization_program(t_mesh, options.demands);
-  const Reduced_program program = reduce(t_mesh, paper, Dual_graph(t_mesh));
+  const Quantization_program paper = build_quantization_program(t_mesh, options.demands,
+                                                                options.wishes);
+  const Reduced_program program = reduce(t_mesh, paper, Dual_graph(t_mesh, paper.zero_arcs()));
   Quantization result;
   result.arc_length = program.arc_lengths(read_values(in, program.number_of_variables()));
   const Quantization_check check = check_quantization(t_mesh, paper, result.arc_length);
   if (!check.consistent)
     throw Stage_failure("read_quantization: opposite sides of patches are not equally long");
-  if (const Quotient_report report = examine_quotient(t_mesh, result.arc_length); !report.valid)
+  const Quotient_report report = examine_quotient(t_mesh, result.arc_length);
+  if (!report.valid)
     throw Stage_failure("read_quantization: the layout is not valid: " + report.reason);
+  check_wishes(t_mesh, paper, check, report);
   result.status = Quantization::FEASIBLE;
   result.objective = check.objective;
   result.violated = check.violated();

@@ -21,6 +21,14 @@ CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(minimum_valence)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(maximum_valence)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(relative_gap)
 
+// of single quantizations
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(arc_weight_map)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(face_weight_map)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(forbidden_merges)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(forced_connections)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(vertex_symmetry)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(lock_alignments)
+
 // of the quad mesh
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(vertex_is_layout_node_map)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(edge_is_layout_edge_map)

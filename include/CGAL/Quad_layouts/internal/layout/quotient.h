@@ -122,6 +122,26 @@ inline std::vector<Merged_cluster> merged_clusters(const Fibres& fibres)
   return result;
 }
 
+// says if two nodes fall together
+inline bool are_merged(const Quotient_report& report, int i, int j)
+{
+  return std::any_of(report.clusters.begin(), report.clusters.end(), [&](const auto& cluster) {
+    return std::binary_search(cluster.nodes.begin(), cluster.nodes.end(), i) &&
+           std::binary_search(cluster.nodes.begin(), cluster.nodes.end(), j);
+  });
+}
+
+// Arcs of which one must be positive for two nodes that fall together to be separate; exact if no
+// connection through patches joins them.
+inline Quotient_cut cut_between(const T_mesh& t_mesh, const std::vector<int>& arc_length, int i,
+                                int j)
+{
+  const Arc_grid grid(t_mesh, arc_length);
+  const Fibres fibres(grid);
+  const std::vector<int> path = Fibre_loops(fibres, fibres.fibre_of_point(i)).tree({i, j});
+  return {arcs_of(fibres, path), are_arcs(fibres, path)};
+}
+
 // Collects defects; the first one gives the reason.
 inline void add_defect(Quotient_report& report, const std::string& reason, Quotient_cut cut)
 {

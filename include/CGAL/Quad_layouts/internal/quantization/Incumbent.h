@@ -80,7 +80,7 @@ private:
   bool accept(const std::vector<int>& x)
   {
     const Program_evaluation rows(m_program, x);
-    if (!rows.is_feasible() || !is_better(x))
+    if (!rows.is_feasible() || !rows.grants_wishes() || !is_better(x))
       return false;
     if (!m_validity.examine(x)) {
       ++m_rounds;

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <string>
@@ -94,7 +96,81 @@ protected:
     return limits.nodes < most / iterations_per_node ? limits.nodes * iterations_per_node : most;
   }
 
+  // a program of constants
+  void solve_without_columns()
+  {
+    outcome = Outcome::COMPLETE;
+    take_solution({});
+    if (has_solution)
+      bound = objective_value;
+  }
+
+  // keeps `x` if it is feasible and better than what is known; says if it is feasible
+  bool take_solution(std::vector<double> x)
+  {
+    if (x.size() != columns.size() || !round_integers(x) || !is_feasible(x))
+      return false;
+    const double value = objective_of(x);
+    const bool is_better = maximize ? value > objective_value : value < objective_value;
+    if (!has_solution || is_better) {
+      has_solution = true;
+      values = std::move(x);
+      objective_value = value;
+    }
+    return true;
+  }
+
+  double objective_of(const std::vector<double>& x) const
+  {
+    return objective_offset + value_of(objective, x);
+  }
+
+  // up to the tolerance
+  bool is_as_good(double value) const
+  {
+    return maximize ? is_in(value, objective_value, value) : is_in(value, value, objective_value);
+  }
+
 private:
+  static constexpr double tolerance = 1e-6; // of solvers
+
+  // says if the integers of `x` were nearly ones
+  bool round_integers(std::vector<double>& x) const
+  {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (columns[i].is_integer) {
+        const double rounded = std::round(x[i]);
+        if (!(std::abs(x[i] - rounded) <= tolerance))
+          return false;
+        x[i] = rounded;
+      }
+    return true;
+  }
+
+  bool is_feasible(const std::vector<double>& x) const
+  {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (!is_in(x[i], columns[i].low, columns[i].high))
+        return false;
+    return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+      return is_in(value_of(row.terms, x), row.low, row.high);
+    });
+  }
+
+  static double value_of(const Terms& terms, const std::vector<double>& x)
+  {
+    double result = 0;
+    for (const auto& term : terms)
+      result += term.second * x[term.first];
+    return result;
+  }
+
+  static bool is_in(double value, double low, double high)
+  {
+    const double slack = tolerance * (std::max)(1., std::abs(value));
+    return value >= low - slack && value <= high + slack;
+  }
+
   Clock::time_point m_end;
 };
 

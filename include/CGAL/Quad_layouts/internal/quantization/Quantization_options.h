@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/internal/Deviation_limits.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
+#include <CGAL/Quad_layouts/internal/quantization/read_wishes.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
@@ -21,6 +22,7 @@ namespace internal {
 struct Quantization_options
 {
   Quantization_demands demands;
+  Quantization_wishes wishes;
   double seconds;
   double relative_gap;
 };
@@ -42,7 +44,10 @@ Quantization_options quantization_options(const T_mesh& t_mesh, const NamedParam
   require_parameter(most >= 4, "maximum_valence", most, "at least 4");
   require_parameter(seconds > 0, "maximum_running_time", seconds, "a number > 0");
   require_parameter(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
-  return {{limits.tangent, 2 * limits.displacement, 4 - most, 4 - least}, seconds, gap};
+  return {{limits.tangent, 2 * limits.displacement, 4 - most, 4 - least},
+          quantization_wishes(t_mesh, np),
+          seconds,
+          gap};
 }
 
 } // namespace internal

@@ -8,12 +8,15 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_PROGRAM_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/quantization/Quantization_wishes.h>
+#include <CGAL/Quad_layouts/internal/quantization/alignments.h>
 #include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
+#include <CGAL/Quad_layouts/internal/quantization/mirrored_arcs.h>
+#include <CGAL/Quad_layouts/internal/quantization/wished_connections.h>
 
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,8 +33,9 @@ struct Quantization_demands
   int maximum_index;
 };
 
-// The integer program of [LCK21b], Section 4.5, as plain data over the arcs of a T-mesh. Nothing is
-// simplified here: this is what a quantization is checked against.
+// The integer program of [LCK21b], Section 4.5, as plain data over the arcs of a T-mesh, and what
+// the user asks for beyond it. Nothing is simplified here: this is what a quantization is checked
+// against.
 struct Quantization_program
 {
   // sum of q over the first side = sum of q over the second side
@@ -49,6 +53,21 @@ struct Quantization_program
   std::vector<int> singularities;               // the nodes that have an index row (5)
   std::vector<Close_pair> pairs;                // the indicators (3), one per unordered pair
   std::vector<std::pair<int, int>> index_range; // per node, for its row (5)
+
+  // the wishes of the user, which are never given up
+  std::vector<Close_pair> separate; // nodes that do not fall together, so that the path is positive
+  std::vector<Wished_connection> connections;
+  std::vector<Equation> mirrored;
+  std::vector<int> locked; // arcs between aligned singularities, which are 0
+
+  // the arcs that are 0 because the user asks for it
+  std::vector<int> zero_arcs() const
+  {
+    std::vector<int> result = locked;
+    for (const Wished_connection& c : connections)
+      result.insert(result.end(), c.zero.begin(), c.zero.end());
+    return result;
+  }
 
   // the penalty of a violated row, Equation (9)
   double penalty() const { return std::accumulate(weight.begin(), weight.end(), 0.); }
@@ -85,7 +104,7 @@ inline std::vector<Quantization_program::Equation> equations(const T_mesh& t_mes
 
 // returns per arc half the length of the patches beside it, across it: the length of a dual loop is
 // then the sum of the weights of the arcs that it crosses
-inline std::vector<double> weights(const T_mesh& t_mesh)
+inline std::vector<double> weights(const T_mesh& t_mesh, const std::vector<double>& arc_length)
 {
   std::vector<double> result(t_mesh.number_of_edges(), 0.);
   for (int p = 0; p < t_mesh.number_of_faces(); ++p) {
@@ -93,7 +112,7 @@ inline std::vector<double> weights(const T_mesh& t_mesh)
     std::array<double, 4> length{};
     for (int k = 0; k < 4; ++k)
       for (int h : sides[k])
-        length[k] += t_mesh.length(T_mesh::edge(h));
+        length[k] += arc_length[T_mesh::edge(h)];
     for (int k = 0; k < 4; ++k)
       for (int h : sides[k])
         result[T_mesh::edge(h)] += (length[(k + 1) % 4] + length[(k + 3) % 4]) / 4;
@@ -111,8 +130,9 @@ inline bool must_be_positive(double own, double other, bool own_is_longer,
                        : own - demands.reach > demands.tangent * (other + demands.reach);
 }
 
-// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the
-// one of the later trace counts as the longer.
+// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of two legs that one is
+// the longer which was it in tracing, as the T-mesh has noted: also if they are equally long, or
+// sums of lengths are rounded in another way.
 inline std::vector<Quantization_program::Prefixes> prefixes(
     const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
     const Quantization_demands& demands)
@@ -121,13 +141,11 @@ inline std::vector<Quantization_program::Prefixes> prefixes(
   for (const auto& visits : t_mesh.node_visits) {
     if (visits.size() != 2)
       continue;
-    const auto key = [&](const T_mesh::Visit& v) {
-      return std::make_tuple(lengths[v.trace][v.arcs], v.trace, v.arcs);
-    };
     for (int k : {0, 1}) {
-      const auto own = key(visits[k]), other = key(visits[1 - k]);
-      if (must_be_positive(std::get<0>(own), std::get<0>(other), own > other, demands))
-        result[visits[k].trace].push_back(visits[k].arcs);
+      const T_mesh::Visit &own = visits[k], &other = visits[1 - k];
+      if (must_be_positive(lengths[own.trace][own.arcs], lengths[other.trace][other.arcs], k == 1,
+                           demands))
+        result[own.trace].push_back(own.arcs);
     }
   }
   // a trace that runs into a singularity meets it at distance 0 on the other leg
@@ -141,18 +159,57 @@ inline std::vector<Quantization_program::Prefixes> prefixes(
   return result;
 }
 
+// returns equations that make a quantization as symmetric as the T-mesh is
+inline std::vector<Quantization_program::Equation> mirrored(
+    const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
+    const std::vector<int>& vertex_image)
+{
+  std::vector<Quantization_program::Equation> result;
+  if (vertex_image.empty())
+    return result;
+  const Surface_symmetry symmetry(t_mesh.surface(), vertex_image);
+  const Mirrored_traces traces(t_mesh, lengths, symmetry);
+  if (traces.is_empty())
+    throw Unsatisfiable_demand("vertex_symmetry: no trace of the T-mesh has an image");
+  for (const auto& [arcs, image] : traces.segments())
+    result.push_back({arcs, image});
+  return result;
+}
+
+// adds the rows of the user's wishes; the others must be there
+inline void add_wishes(const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
+                       const Quantization_wishes& wishes, Quantization_program& program)
+{
+  for (std::size_t a = 0; a < wishes.arc_weight.size(); ++a)
+    program.weight[a] *= wishes.arc_weight[a];
+  const auto separate = [&](int i, int j) {
+    program.separate.push_back({(std::min)(i, j), (std::max)(i, j), shortest_path(t_mesh, i, j)});
+  };
+  const Connection_search search(t_mesh, lengths, program.prefixes);
+  for (const auto& [i, j] : wishes.connected) {
+    program.connections.push_back(search.between(i, j));
+    separate(i, j);
+  }
+  for (const auto& [i, j] : wishes.separate)
+    separate(i, j);
+  program.mirrored = mirrored(t_mesh, lengths, wishes.vertex_image);
+  if (wishes.locks_alignments)
+    program.locked = Alignments(t_mesh, lengths, program.prefixes).lock(program.zero_arcs());
+}
+
 } // namespace quantization_program
 
-// returns the program of [LCK21b] for `t_mesh`
+// returns the program of [LCK21b] for `t_mesh`, with the wishes of the user
 inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
-                                                       const Quantization_demands& demands)
+                                                       const Quantization_demands& demands,
+                                                       const Quantization_wishes& wishes = {})
 {
   std::vector<std::vector<double>> lengths;
   for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
     lengths.push_back(cumulative_lengths(t_mesh, int(t)));
 
   Quantization_program result;
-  result.weight = quantization_program::weights(t_mesh);
+  result.weight = quantization_program::weights(t_mesh, t_mesh.arc_length);
   result.equations = quantization_program::equations(t_mesh);
   result.prefixes = quantization_program::prefixes(t_mesh, lengths, demands);
   result.pairs = close_pairs(t_mesh, lengths, demands.reach);
@@ -166,6 +223,7 @@ inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
       range.first = (std::min)(range.first, t_mesh.index(n));
       range.second = (std::max)(range.second, t_mesh.index(n));
     }
+  quantization_program::add_wishes(t_mesh, lengths, wishes, result);
   return result;
 }
 

@@ -52,16 +52,16 @@ public:
   Quantization_search(const T_mesh& t_mesh, const Quantization_options& options,
                       const Monitor& monitor)
     : m_t_mesh(t_mesh), m_options(options), m_monitor(monitor),
-      m_paper(build_quantization_program(t_mesh, options.demands)), m_graph(t_mesh),
-      m_program(reduce(t_mesh, m_paper, m_graph)), m_incumbent(t_mesh, m_paper, m_graph, m_program),
-      m_neighbourhoods(t_mesh, m_graph)
+      m_paper(build_quantization_program(t_mesh, options.demands, options.wishes)),
+      m_graph(t_mesh, m_paper.zero_arcs()), m_program(reduce(t_mesh, m_paper, m_graph)),
+      m_incumbent(t_mesh, m_paper, m_graph, m_program), m_neighbourhoods(t_mesh, m_graph)
   {
     m_timer.start();
   }
 
   Quantization run()
   {
-    if (m_incumbent.start()) {
+    if (m_incumbent.start() || find_first_solution()) {
       report();
       exchange_loops();
       make_index_rows_lazy_if_many(m_program);
@@ -118,6 +118,23 @@ private:
     for (double value : x)
       result.push_back(int(std::lround(value)));
     return result;
+  }
+
+  // is for programs with rows that sums of dual loops do not satisfy; says if there is a solution
+  bool find_first_solution()
+  {
+    if (m_program.mirrored.empty())
+      return false;
+    constexpr int nodes = 1000;
+    const auto all = Box::Rows::ALL;
+    bool found;
+    int seen;
+    do {
+      seen = m_program.number_of_visible_rows(all);
+      search(Box(m_program.number_of_variables(), all), effort(nodes, 0.5, m_options.relative_gap),
+             found);
+    } while (!found && m_program.number_of_visible_rows(all) > seen && seconds_left() > 0);
+    return found;
   }
 
   // An objective above the penalty could fall by violating a row: then bounds must come from the
@@ -189,9 +206,11 @@ private:
     report();
   }
 
-  // ends when many exchanges in a row bring nothing
+  // ends when many exchanges in a row bring nothing; single loops are not symmetric
   void exchange_loops()
   {
+    if (!m_program.mirrored.empty())
+      return;
     constexpr double slack = 1.01; // worse solutions may lead on to better ones
     constexpr int patience = 200;
     Loop_exchange exchange(m_program, m_graph, dual_loops(m_t_mesh, m_graph, m_incumbent.values()));
@@ -240,6 +259,7 @@ private:
     for (int failures = 0; !is_done() && failures < patience; ++failures) {
       const int kind = m_neighbourhood++ % int(m_size.size());
       Box box = m_neighbourhoods.around(centre(kind), int(m_size[kind]), m_incumbent.values());
+      free_mirrored(m_program, box);
       if (kind % 2 == 1 && !m_relaxation.empty())
         restrict_to_support(box);
       bool improved;
@@ -286,7 +306,7 @@ private:
       return result;
     result.arc_length = m_program.arc_lengths(m_incumbent.values());
     const Quantization_check check = check_quantization(m_t_mesh, m_paper, result.arc_length);
-    CGAL_postcondition(check.consistent);
+    CGAL_postcondition(check.consistent && check.grants_wishes);
     result.objective = check.objective;
     result.violated = check.violated();
     result.status = is_proven() ? Quantization::OPTIMAL : Quantization::FEASIBLE;

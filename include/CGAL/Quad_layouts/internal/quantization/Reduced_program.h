@@ -32,6 +32,7 @@ namespace internal {
 // - Each row is a set: a variable that occurs twice in it counts once, which tightens the
 //   relaxation.
 // - Rows that contain another row are implied by it.
+// - Arcs that the user wishes to be 0 have no variable.
 struct Reduced_program
 {
   // Which rows solvers get to see: all that are known, or those that exclude no valid layout, as
@@ -64,10 +65,12 @@ struct Reduced_program
   std::vector<int> variable;                               // per arc, -1: always 0
   std::vector<double> cost;                                // per variable
   std::vector<std::vector<std::pair<int, int>>> equations; // variable, coefficient; the sum is 0
+  std::vector<std::vector<std::pair<int, int>>> mirrored;  // in the same form
   std::vector<Set> covers;                                 // some variable is positive
   std::vector<Indicator> indicators;
   std::vector<Index_row> index_rows;
-  std::vector<Cut> cuts; // found while solving
+  std::vector<Cut> cuts; // wishes of the user, and then those found while solving
+  int wished_cuts = 0;
   // implied by the other hard rows, but not in the relaxation; columns are the variables, then the
   // indicators
   std::vector<Integer_row> strengthening;
@@ -112,26 +115,29 @@ struct Reduced_program
 
 namespace reduction {
 
-inline void add_equations(const Quantization_program& program, Reduced_program& result)
+// returns the equations that are not satisfied by all values, each once
+inline std::vector<std::vector<std::pair<int, int>>> reduced(
+    const std::vector<Quantization_program::Equation>& equations, const std::vector<int>& variable)
 {
-  for (const auto& equation : program.equations) {
+  std::vector<std::vector<std::pair<int, int>>> result;
+  for (const auto& equation : equations) {
     std::map<int, int> coefficients;
     for (int a : equation.left)
-      if (result.variable[a] >= 0)
-        ++coefficients[result.variable[a]];
+      if (variable[a] >= 0)
+        ++coefficients[variable[a]];
     for (int a : equation.right)
-      if (result.variable[a] >= 0)
-        --coefficients[result.variable[a]];
+      if (variable[a] >= 0)
+        --coefficients[variable[a]];
     std::vector<std::pair<int, int>> terms;
     for (const auto& c : coefficients)
       if (c.second != 0)
         terms.push_back(c);
     if (!terms.empty())
-      result.equations.push_back(std::move(terms));
+      result.push_back(std::move(terms));
   }
-  std::sort(result.equations.begin(), result.equations.end());
-  result.equations.erase(std::unique(result.equations.begin(), result.equations.end()),
-                         result.equations.end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
 }
 
 // adds the shortest required prefix of each trace that can be positive at all
@@ -186,8 +192,27 @@ inline void add_index_rows(const T_mesh& t_mesh, const Quantization_program& pro
   }
 }
 
+// adds the rows of the user's wishes as cuts, which are never given up
+inline void add_wishes(const T_mesh& t_mesh, const Quantization_program& program,
+                       Reduced_program& result)
+{
+  const auto require_positive = [&](const std::vector<int>& arcs, int i, int j) {
+    auto set = result.set_of(arcs);
+    if (set.empty())
+      throw inseparable(t_mesh, i, j);
+    result.cuts.push_back({std::move(set), {}, true});
+  };
+  for (const Wished_connection& c : program.connections)
+    require_positive(c.positive, c.i, c.j);
+  for (const Close_pair& pair : program.separate)
+    if (!pair.path.empty()) // else they are on different components
+      require_positive(pair.path, pair.i, pair.j);
+  result.wished_cuts = int(result.cuts.size());
+}
+
 } // namespace reduction
 
+// `graph` must know the zero arcs of `program`
 inline Reduced_program reduce(const T_mesh& t_mesh, const Quantization_program& program,
                               const Dual_graph& graph)
 {
@@ -199,9 +224,11 @@ inline Reduced_program reduce(const T_mesh& t_mesh, const Quantization_program& 
     if (graph.variable(a) >= 0)
       result.cost[graph.variable(a)] += program.weight[a];
   }
-  reduction::add_equations(program, result);
+  result.equations = reduction::reduced(program.equations, result.variable);
+  result.mirrored = reduction::reduced(program.mirrored, result.variable);
   reduction::add_covers(t_mesh, program, result);
   reduction::add_index_rows(t_mesh, program, result);
+  reduction::add_wishes(t_mesh, program, result);
   return result;
 }
 

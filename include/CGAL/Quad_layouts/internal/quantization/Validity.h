@@ -22,7 +22,7 @@ namespace internal {
 
 // Examines layouts for what the rows of the program do not see, and turns it into cuts: loops of
 // length 0 that change the topology, and clusters of more singularities than pairs can see, whose
-// index is out of range, or that are not to be where no pair may merge.
+// index is out of range, or that are not to be where no pair may merge, or that the user forbids.
 class Validity
 {
 public:
@@ -45,6 +45,11 @@ public:
     for (const Merged_cluster& cluster : report.clusters)
       if (!is_legal(cluster) && add(cut_of(cluster)))
         valid = false;
+    for (const Close_pair& pair : m_paper.separate)
+      if (are_merged(report, pair.i, pair.j)) {
+        separate(pair, x);
+        valid = false;
+      }
     return valid;
   }
 
@@ -92,6 +97,14 @@ private:
     cut.indicators.erase(std::unique(cut.indicators.begin(), cut.indicators.end()),
                          cut.indicators.end());
     return cut;
+  }
+
+  // asks for a positive arc between nodes that the user wants to be separate
+  void separate(const Close_pair& pair, const std::vector<int>& x)
+  {
+    const Quotient_cut cut = cut_between(m_t_mesh, m_program.arc_lengths(x), pair.i, pair.j);
+    if (!add({m_program.set_of(cut.arcs), {}, cut.is_exact}) && cut.is_exact)
+      throw inseparable(m_t_mesh, pair.i, pair.j);
   }
 
   // returns false if the cut asks for what no consistent quantization has: this must be put up with

@@ -27,7 +27,6 @@
 #include <OsiClpSolverInterface.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -87,15 +86,11 @@ public:
       solve_without_columns();
     else
       search();
-    if (maximize) {
-      objective_value = -objective_value;
-      bound = -bound;
-    }
+    if (has_solution) // cuts and fixed columns lead away from what is not better
+      bound = maximize ? (std::max)(bound, objective_value) : (std::min)(bound, objective_value);
   }
 
 private:
-  static constexpr double tolerance = 1e-6; // of CBC, too
-
   void search()
   {
     const std::function<bool()> must_end = [this] {
@@ -123,6 +118,12 @@ private:
   }
 
   double sign() const { return maximize ? -1 : 1; }
+
+  // takes a bound of the program that is minimized
+  void improve_bound(double value)
+  {
+    bound = maximize ? (std::min)(bound, -value) : (std::max)(bound, value);
+  }
 
   static void silence(OsiSolverInterface& program)
   {
@@ -162,14 +163,6 @@ private:
         program.setInteger(int(i));
   }
 
-  // a program of constants
-  void solve_without_columns()
-  {
-    outcome = Outcome::COMPLETE;
-    take_solution({});
-    bound = has_solution ? objective_value : bound;
-  }
-
   // says if there is a reason to branch
   bool solve_relaxation(OsiClpSolverInterface& program)
   {
@@ -187,7 +180,7 @@ private:
       message = "the relaxation could not be solved";
       return false;
     }
-    bound = program.getObjValue();
+    improve_bound(program.getObjValue());
     if (program.getNumIntegers() > 0)
       return true;
     outcome = Outcome::COMPLETE;
@@ -211,7 +204,7 @@ private:
     const Cbc_tree_watch watch(at_event);
     model.passInEventHandler(&watch);
     if (has_solution) {
-      model.setBestSolution(values.data(), int(values.size()), objective_value);
+      model.setBestSolution(values.data(), int(values.size()), sign() * objective_value);
       model.setSolutionCount(1);
     }
     model.branchAndBound();
@@ -278,10 +271,10 @@ private:
     if (is_whole_program && !m_has_ended) {
       if (which == CbcEventHandler::node) {
         ++m_nodes;
-        bound = (std::max)(bound, model.getBestPossibleObjValue());
+        improve_bound(model.getBestPossibleObjValue());
       } else if (which == CbcEventHandler::generatedCuts && model.getNodeCount() == 0 &&
                  model.solver()->isProvenOptimal())
-        bound = (std::max)(bound, model.solver()->getObjValue());
+        improve_bound(model.solver()->getObjValue());
     }
     return must_end() ? CbcEventHandler::stop : CbcEventHandler::noAction;
   }
@@ -294,49 +287,11 @@ private:
     if (model.status() == 0 && !m_has_ended) {
       outcome = Outcome::COMPLETE;
       if (has_solution)
-        bound = model.getBestPossibleObjValue();
+        improve_bound(model.getBestPossibleObjValue());
     } else {
       outcome = model.status() == 2 ? Outcome::ERROR : Outcome::LIMIT;
       message = outcome == Outcome::LIMIT ? "limit" : "the search failed";
     }
-    if (has_solution) // cuts and fixed columns lead away from what is not better
-      bound = (std::min)(bound, objective_value);
-  }
-
-  // keeps `x` if it is feasible and better than what is known
-  void take_solution(std::vector<double> x)
-  {
-    if (!is_feasible(x))
-      return;
-    double value = objective_offset;
-    for (const auto& term : objective)
-      value += term.second * x[term.first];
-    value *= sign();
-    if (has_solution && value >= objective_value)
-      return;
-    has_solution = true;
-    values = std::move(x);
-    objective_value = value;
-  }
-
-  bool is_feasible(const std::vector<double>& x) const
-  {
-    if (x.size() != columns.size())
-      return false;
-    const auto is_in = [](double value, double low, double high) {
-      const double slack = tolerance * (std::max)(1., std::abs(value));
-      return value >= low - slack && value <= high + slack;
-    };
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if (!is_in(x[i], columns[i].low, columns[i].high) ||
-          (columns[i].is_integer && std::abs(x[i] - std::round(x[i])) > tolerance))
-        return false;
-    return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
-      double value = 0;
-      for (const auto& term : row.terms)
-        value += term.second * x[term.first];
-      return is_in(value, row.low, row.high);
-    });
   }
 
   int m_iterations = 0, m_nodes = 0, m_questions = 0;

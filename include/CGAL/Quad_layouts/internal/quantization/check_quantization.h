@@ -24,6 +24,7 @@ struct Quantization_check
   int violated_rows = 0;   // of (2) and (6)
   int index_excess = 0;    // sum of h_i in (8)
   double objective = 0;    // (9)
+  bool grants_wishes = false; // of the user, as far as arcs tell
 
   int violated() const { return violated_rows + index_excess; }
 };
@@ -60,6 +61,26 @@ inline std::vector<int> estimated_indices(const T_mesh& t_mesh, const Quantizati
   return result;
 }
 
+inline bool are_equal(const std::vector<Quantization_program::Equation>& equations,
+                      const std::vector<int>& q)
+{
+  return std::all_of(equations.begin(), equations.end(), [&](const auto& e) {
+    return sum_over(e.left, q) == sum_over(e.right, q);
+  });
+}
+
+inline bool grants_wishes(const Quantization_program& program, const std::vector<int>& q)
+{
+  return are_equal(program.mirrored, q) && sum_over(program.locked, q) == 0 &&
+         std::all_of(program.connections.begin(), program.connections.end(),
+                     [&](const Wished_connection& c) {
+                       return sum_over(c.zero, q) == 0 && sum_over(c.positive, q) > 0;
+                     }) &&
+         std::all_of(program.separate.begin(), program.separate.end(), [&](const Close_pair& p) {
+           return p.path.empty() || sum_over(p.path, q) > 0;
+         });
+}
+
 // evaluates every constraint of the paper's program, with no knowledge of how `q` was found
 inline Quantization_check check_quantization(const T_mesh& t_mesh,
                                              const Quantization_program& program,
@@ -69,10 +90,8 @@ inline Quantization_check check_quantization(const T_mesh& t_mesh,
   if (q.size() != program.weight.size())
     return result;
   result.consistent = std::all_of(q.begin(), q.end(), [](int x) { return x >= 0; }) &&
-                      std::all_of(program.equations.begin(), program.equations.end(),
-                                  [&](const auto& e) {
-                                    return sum_over(e.left, q) == sum_over(e.right, q);
-                                  });
+                      are_equal(program.equations, q);
+  result.grants_wishes = grants_wishes(program, q);
   for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
     result.violated_rows += violated_prefixes(t_mesh, program, int(t), q);
   const std::vector<int> index = estimated_indices(t_mesh, program, q);

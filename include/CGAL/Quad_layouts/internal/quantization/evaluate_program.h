@@ -66,15 +66,14 @@ public:
   }
 
   // holds for all sums of dual loops
-  bool is_consistent() const
+  bool is_consistent() const { return satisfies(m_program.equations); }
+
+  bool grants_wishes() const
   {
-    return std::all_of(m_program.equations.begin(), m_program.equations.end(),
-                       [&](const auto& equation) {
-                         return std::accumulate(equation.begin(), equation.end(), 0L,
-                                                [&](long sum, const auto& term) {
-                                                  return sum + long(term.second) * m_x[term.first];
-                                                }) == 0;
-                       });
+    const auto first = m_program.cuts.begin();
+    return satisfies(m_program.mirrored) &&
+           std::all_of(first, first + m_program.wished_cuts,
+                       [&](const auto& cut) { return is_satisfied(cut); });
   }
 
   bool satisfies_cuts() const
@@ -101,6 +100,16 @@ public:
   }
 
 private:
+  bool satisfies(const std::vector<std::vector<std::pair<int, int>>>& equations) const
+  {
+    return std::all_of(equations.begin(), equations.end(), [&](const auto& equation) {
+      return std::accumulate(equation.begin(), equation.end(), 0L,
+                             [&](long sum, const auto& term) {
+                               return sum + long(term.second) * m_x[term.first];
+                             }) == 0;
+    });
+  }
+
   const Reduced_program& m_program;
   const std::vector<int>& m_x;
 };

@@ -48,6 +48,19 @@ struct Box
   bool is_fixed(int v) const { return low[v] == high[v]; }
 };
 
+// frees all variables of symmetry rows that have a free one
+inline void free_mirrored(const Reduced_program& program, Box& box)
+{
+  for (const auto& equation : program.mirrored)
+    if (std::any_of(equation.begin(), equation.end(),
+                    [&](const auto& term) { return !box.is_fixed(term.first); }))
+      for (const auto& term : equation)
+        if (box.is_fixed(term.first)) {
+          box.low[term.first] = 0;
+          box.high[term.first] = Box::unbounded;
+        }
+}
+
 struct Search_effort
 {
   double seconds;
@@ -88,8 +101,9 @@ public:
         m_fixed_cost += program.cost[v] * box.low[v];
       else
         add_column(v);
-    for (const auto& equation : program.equations)
-      add_equation(equation);
+    for (const auto* equations : {&program.equations, &program.mirrored})
+      for (const auto& equation : *equations)
+        add_equation(equation);
     for (const auto& cover : program.covers)
       add_cover({cover, {}, true}, box.covers_are_soft);
     for (const auto& row : program.index_rows)

@@ -34,7 +34,9 @@ class Dual_graph
 public:
   using Walk = std::vector<int>; // states in order; the first one follows the last one
 
-  explicit Dual_graph(const T_mesh& t_mesh) : m_state(t_mesh.number_of_halfedges(), -1)
+  // `zero_arcs`: those whose length is to be 0 in all quantizations considered
+  explicit Dual_graph(const T_mesh& t_mesh, const std::vector<int>& zero_arcs = {})
+    : m_state(t_mesh.number_of_halfedges(), -1)
   {
     find_opposite_sides(t_mesh);
     int count = 0;
@@ -42,6 +44,9 @@ public:
       if (m_state[h] < 0)
         share(h, count++);
     link(2 * count);
+    for (int a : zero_arcs)
+      for (int h : {2 * a, 2 * a + 1})
+        m_successors[m_state[h]].clear();
     drop_dead_ends(2 * count);
   }
 
