@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_PROGRAM_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 #include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
 
 #include <algorithm>
@@ -39,13 +40,14 @@ struct Quantization_program
   {
     std::vector<int> left, right;
   };
-  // rows (2) and (6) of one trace: per entry k, the sum of q over the first k arcs must be
-  // positive; ascending
+  // rows (2) and (6) of one run: per entry k, the sum of q over the first k arcs must be positive;
+  // ascending
   using Prefixes = std::vector<int>;
 
   std::vector<double> weight;                   // per arc, Equation (1)
   std::vector<Equation> equations;              // two per patch
-  std::vector<Prefixes> prefixes;               // per trace
+  std::vector<std::vector<int>> runs;           // the arcs of each
+  std::vector<Prefixes> prefixes;               // per run
   std::vector<int> singularities;               // the nodes that have an index row (5)
   std::vector<Close_pair> pairs;                // the indicators (3), one per unordered pair
   std::vector<std::pair<int, int>> index_range; // per node, for its row (5)
@@ -53,15 +55,6 @@ struct Quantization_program
   // the penalty of a violated row, Equation (9)
   double penalty() const { return std::accumulate(weight.begin(), weight.end(), 0.); }
 };
-
-// returns the lengths of the first 0, 1, 2, ... arcs of trace `t`
-inline std::vector<double> cumulative_lengths(const T_mesh& t_mesh, int t)
-{
-  std::vector<double> result(1, 0.);
-  for (int a : t_mesh.traces[t].arcs)
-    result.push_back(result.back() + t_mesh.length(a));
-  return result;
-}
 
 namespace quantization_program {
 
@@ -111,31 +104,37 @@ inline bool must_be_positive(double own, double other, bool own_is_longer,
                        : own - demands.reach > demands.tangent * (other + demands.reach);
 }
 
-// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the
-// one of the later trace counts as the longer.
-inline std::vector<Quantization_program::Prefixes> prefixes(
-    const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
-    const Quantization_demands& demands)
+// says if run `t` leads from one singularity or seed to another
+inline bool leads_to_singularity(const T_mesh& t_mesh, const Run& run)
 {
-  std::vector<Quantization_program::Prefixes> result(t_mesh.traces.size());
-  for (const auto& visits : t_mesh.node_visits) {
-    if (visits.size() != 2)
-      continue;
-    const auto key = [&](const T_mesh::Visit& v) {
-      return std::make_tuple(lengths[v.trace][v.arcs], v.trace, v.arcs);
-    };
+  if (run.arcs.empty())
+    return false;
+  const int a = run.arcs.back();
+  return t_mesh.is_border_edge(a) || t_mesh.is_singularity_or_seed(t_mesh.target(2 * a));
+}
+
+// returns per run the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the
+// one of the later run counts as the longer. Nothing is to fall onto the border, where it would turn
+// a border that is smooth there into a corner.
+inline std::vector<Quantization_program::Prefixes> prefixes(const T_mesh& t_mesh, const Runs& runs,
+                                                            const Quantization_demands& demands)
+{
+  std::vector<Quantization_program::Prefixes> result(runs.size());
+  const auto key = [&](const Run_visit& v) {
+    return std::make_tuple(runs.length(v), v.run, v.arcs);
+  };
+  for (const Run_meeting& meeting : runs.meetings())
     for (int k : {0, 1}) {
-      const auto own = key(visits[k]), other = key(visits[1 - k]);
-      if (must_be_positive(std::get<0>(own), std::get<0>(other), own > other, demands))
-        result[visits[k].trace].push_back(visits[k].arcs);
+      const Run_visit& visit = meeting.visits[k];
+      const auto own = key(visit), other = key(meeting.visits[1 - k]);
+      if ((meeting.on_border && k == 1) ||
+          must_be_positive(std::get<0>(own), std::get<0>(other), own > other, demands))
+        result[visit.run].push_back(visit.arcs);
     }
-  }
-  // a trace that runs into a singularity meets it at distance 0 on the other leg
-  for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
-    if (!t_mesh.traces[t].arcs.empty() &&
-        t_mesh.is_singularity_or_seed(t_mesh.target(2 * t_mesh.traces[t].arcs.back())) &&
-        lengths[t].back() > demands.reach)
-      result[t].push_back(int(t_mesh.traces[t].arcs.size()));
+  // a run that leads to a singularity meets it at distance 0 on the other leg
+  for (int r = 0; r < runs.size(); ++r)
+    if (leads_to_singularity(t_mesh, runs[r]) && runs[r].lengths.back() > demands.reach)
+      result[r].push_back(int(runs[r].arcs.size()));
   for (auto& p : result)
     std::sort(p.begin(), p.end());
   return result;
@@ -147,15 +146,14 @@ inline std::vector<Quantization_program::Prefixes> prefixes(
 inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
                                                        const Quantization_demands& demands)
 {
-  std::vector<std::vector<double>> lengths;
-  for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
-    lengths.push_back(cumulative_lengths(t_mesh, int(t)));
-
+  const Runs runs(t_mesh);
   Quantization_program result;
   result.weight = quantization_program::weights(t_mesh);
   result.equations = quantization_program::equations(t_mesh);
-  result.prefixes = quantization_program::prefixes(t_mesh, lengths, demands);
-  result.pairs = close_pairs(t_mesh, lengths, demands.reach);
+  for (int r = 0; r < runs.size(); ++r)
+    result.runs.push_back(runs[r].arcs);
+  result.prefixes = quantization_program::prefixes(t_mesh, runs, demands);
+  result.pairs = close_pairs(t_mesh, runs, demands.reach);
   result.index_range.assign(t_mesh.number_of_vertices(),
                             {demands.minimum_index, demands.maximum_index});
   for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
@@ -163,6 +161,8 @@ inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
       result.singularities.push_back(n);
       // a singularity that is out of the range by itself is not to blame for it
       auto& range = result.index_range[n];
+      if (t_mesh.is_on_border(n)) // where two quadrants less would leave none
+        range.second = (std::min)(range.second, 1);
       range.first = (std::min)(range.first, t_mesh.index(n));
       range.second = (std::max)(range.second, t_mesh.index(n));
     }

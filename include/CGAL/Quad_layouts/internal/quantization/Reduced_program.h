@@ -23,7 +23,7 @@ namespace internal {
 // An equivalent of `Quantization_program` in fewer variables and rows.
 //
 // - Arcs that share a variable of the dual graph have the same value; arcs without one are 0.
-// - Rows (2) and (6) of a trace ask for positive prefixes: the shortest one implies the others.
+// - Rows (2) and (6) of a run ask for positive prefixes: the shortest one implies the others.
 //   Prefixes of length 0 in every consistent quantization are given up and counted. The others can
 //   be satisfied all at once, by the sum of dual loops through them, so they need no slack: paying
 //   the penalty is no gain while the whole rest of the objective is below it. Where it is not,
@@ -128,14 +128,13 @@ inline void add_equations(const Quantization_program& program, Reduced_program& 
                          result.equations.end());
 }
 
-// adds the shortest required prefix of each trace that can be positive at all
-inline void add_covers(const T_mesh& t_mesh, const Quantization_program& program,
-                       Reduced_program& result)
+// adds the shortest required prefix of each run that can be positive at all
+inline void add_covers(const Quantization_program& program, Reduced_program& result)
 {
   std::vector<Reduced_program::Set> sets;
-  for (std::size_t t = 0; t < program.prefixes.size(); ++t) {
-    const auto& arcs = t_mesh.traces[t].arcs;
-    for (int k : program.prefixes[t]) {
+  for (std::size_t r = 0; r < program.prefixes.size(); ++r) {
+    const auto& arcs = program.runs[r];
+    for (int k : program.prefixes[r]) {
       const auto set = result.set_of({arcs.begin(), arcs.begin() + k});
       if (!set.empty()) {
         sets.push_back(set);
@@ -194,7 +193,7 @@ inline Reduced_program reduce(const T_mesh& t_mesh, const Quantization_program& 
       result.cost[graph.variable(a)] += program.weight[a];
   }
   reduction::add_equations(program, result);
-  reduction::add_covers(t_mesh, program, result);
+  reduction::add_covers(program, result);
   reduction::add_index_rows(t_mesh, program, result);
   return result;
 }
