@@ -13,11 +13,15 @@
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
+#include <CGAL/Quad_layouts/internal/embedding/Layout_curves.h>
+#include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
+#include <CGAL/Quad_layouts/internal/embedding/check_embedded_layout.h>
 #include <CGAL/Quad_layouts/measure_quad_layout.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -69,6 +73,18 @@ struct Result
   QL::Quad_layout layout;
 };
 
+// The layout is drawn on the surface, and its border on the border.
+void check_curves(const Result& r)
+{
+  QL::Default_visitor visitor;
+  const QL::internal::Monitor monitor = QL::internal::monitor_from(
+      parameters::visitor(std::ref(visitor)));
+  QL::internal::Embedded_layout embedded =
+      QL::internal::Layout_curves(r.t_mesh, r.layout, monitor).result();
+  QL::internal::Overlay_reduction(embedded, r.t_mesh.surface().number_of_vertices(), monitor);
+  QL::internal::check_embedded_layout(embedded, r.layout); // throws
+}
+
 template <class NamedParameters>
 Result layout_of(const QL::Cross_field& field, const NamedParameters& np)
 {
@@ -79,6 +95,7 @@ Result layout_of(const QL::Cross_field& field, const NamedParameters& np)
   BOOST_TEST_REQUIRE(r.quantization.status != QL::Quantization::INFEASIBLE);
   r.layout = QL::extract_quad_layout(r.t_mesh, r.quantization);
   check_layout(r.t_mesh, r.layout);
+  check_curves(r);
   return r;
 }
 
