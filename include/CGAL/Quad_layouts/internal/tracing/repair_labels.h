@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/tracing/Labels.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -20,7 +21,7 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes all faces valid and all valences positive, by a min-conflicts search that starts from
+// Makes all faces valid and all valences positive, 2 or more wherever the field has them, by a min-conflicts search that starts from
 // labels that are valid nearly everywhere: again and again, the cheapest change of a label near a
 // bad face or vertex.
 //
@@ -66,7 +67,9 @@ private:
     bool both_sides;    // and to that of the opposite halfedge
   };
 
-  bool is_bad_vertex(int v) const { return m_labels.valence(v) < 1; }
+  // No quad mesh has a vertex of valence 1: it has to be one of the field itself.
+  int least_valence(int v) const { return m_field.index(v) > 2 ? 1 : 2; }
+  bool is_bad_vertex(int v) const { return m_labels.valence(v) < least_valence(v); }
   // a suspect is a corner: its face or its vertex may be bad
   bool is_bad(int h) const
   {
@@ -149,7 +152,7 @@ private:
   double vertex_cost(int v) const
   {
     const int valence = m_labels.valence(v);
-    return (valence < 1 ? 8 * (1 - valence) : 0) + (m_labels.index(v) != m_field.index(v) ? 2 : 0);
+    return 8 * (std::max)(least_valence(v) - valence, 0) + (m_labels.index(v) != m_field.index(v) ? 2 : 0);
   }
   double label_cost(int h) const
   {
