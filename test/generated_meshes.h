@@ -226,6 +226,41 @@ inline Mesh annulus(double inner_radius, double outer_radius, int rings, int n)
   return mesh_of(points, triangles);
 }
 
+// A ring whose outer border winds outwards once around the origin, and gets back by a step: there it
+// has a convex and a concave corner.
+inline Mesh annulus_with_step(double inner_radius, double step, int rings, int n)
+{
+  const double pi = std::acos(-1.);
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  const auto add_point = [&](double r, int j) {
+    points.emplace_back(r * std::cos(2 * pi * j / n), r * std::sin(2 * pi * j / n), 0);
+  };
+  const auto add_square = [&](int a, int b, int c, int d) {
+    for (const Triangle& t : {Triangle{a, b, c}, {a, c, d}})
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+        triangles.push_back(t);
+  };
+  for (int i = 0; i <= rings; ++i)
+    for (int j = 0; j < n; ++j)
+      add_point(inner_radius + (1 - inner_radius) * i / rings, j);
+  const auto vertex = [&](int i, int j) { return i * n + j % n; };
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < n; ++j)
+      add_square(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+  const int rows = (std::max)(1, int(step * rings)), first = int(points.size());
+  for (int k = 1; k <= rows; ++k)
+    for (int j = 1; j <= n; ++j)
+      add_point(1 + step * k / rows * j / n, j);
+  const auto outer = [&](int k, int j) {
+    return k == 0 || j == 0 ? vertex(rings, j) : first + (k - 1) * n + j - 1;
+  };
+  for (int k = 0; k < rows; ++k)
+    for (int j = 0; j < n; ++j)
+      add_square(outer(k, j), outer(k + 1, j), outer(k + 1, j + 1), outer(k, j + 1));
+  return mesh_of(points, triangles);
+}
+
 // the unit disc, with `rings` rings around its centre, the k-th of 6 k vertices
 inline Mesh disc(int rings)
 {

@@ -17,11 +17,15 @@
 #include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
 #include <CGAL/Quad_layouts/internal/embedding/check_embedded_layout.h>
 #include <CGAL/Quad_layouts/measure_quad_layout.h>
+#include <CGAL/Quad_layouts/measure_quad_mesh.h>
+#include <CGAL/Quad_layouts/quad_remesh.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -99,6 +103,32 @@ Result layout_of(const QL::Cross_field& field, const NamedParameters& np)
   return r;
 }
 
+double distance_to_border(const Mesh& mesh, const generated::Point& p)
+{
+  double least = (std::numeric_limits<double>::max)();
+  for (const auto h : halfedges(mesh))
+    if (mesh.is_border(h))
+      least = (std::min)(least, CGAL::squared_distance(
+                                  p, generated::Kernel::Segment_3(mesh.point(source(h, mesh)),
+                                                                  mesh.point(target(h, mesh)))));
+  return std::sqrt(least);
+}
+
+// A quad mesh has the topology of the surface, good quads, and its border on that of the surface.
+void check_remeshing(const Mesh& mesh)
+{
+  Mesh quads;
+  QL::quad_remesh(mesh, quads, parameters::target_edge_length(0.1));
+  const QL::Quad_mesh_measures in = QL::measure_quad_mesh(mesh), out = QL::measure_quad_mesh(quads);
+  BOOST_TEST(out.euler_characteristic == in.euler_characteristic);
+  BOOST_TEST(out.components == in.components);
+  BOOST_TEST(out.t_junctions == 0);
+  BOOST_TEST(out.msj_minimum > 0.3);
+  for (const auto h : halfedges(quads))
+    if (quads.is_border(h))
+      BOOST_TEST(distance_to_border(mesh, quads.point(target(h, quads))) < 1e-9);
+}
+
 Result layout_of(const Mesh& mesh)
 {
   return layout_of(QL::compute_cross_field(mesh), parameters::default_values());
@@ -133,6 +163,32 @@ BOOST_AUTO_TEST_CASE(layout_of_a_disc)
   const Result r = layout_of(generated::disc(12));
   BOOST_TEST(r.layout.number_of_irregular_vertices() == 4);
   BOOST_TEST(r.layout.number_of_patches == 5);
+}
+
+// Lines along the border wind outwards and meet the step: it can only have length 0 (Figure 5 of Lyon,
+// Campen and Kobbelt 2021).
+BOOST_AUTO_TEST_CASE(a_step_that_cannot_be_kept)
+{
+  const Mesh mesh = generated::annulus_with_step(0.5, 0.4, 10, 60);
+  const QL::Cross_field field = QL::compute_cross_field(mesh);
+  BOOST_TEST(field.number_of_singularities() == 2);
+  const Result r = layout_of(field, parameters::target_edge_length(0.02));
+  BOOST_TEST(r.quantization.violated > 0);
+  BOOST_TEST(r.layout.number_of_irregular_vertices() == 0);
+  BOOST_TEST(r.layout.number_of_patches == 1);
+}
+
+BOOST_AUTO_TEST_CASE(quad_meshes_with_borders)
+{
+  check_remeshing(generated::plate({{0, 0}}, 4));
+  check_remeshing(generated::plate_with_holes(5, 3, {{1, 1}, {3, 1}}, 4));
+  check_remeshing(generated::disc(12));
+  check_remeshing(generated::annulus(0.5, 1, 6, 40));
+  check_remeshing(generated::annulus_with_step(0.5, 0.4, 10, 60));
+  check_remeshing(generated::noisy(generated::plate_with_holes(4, 4, {{2, 2}, {0, 0}}, 4), 0.03, 2));
+  check_remeshing(generated::mesh_of({generated::Point(0, 0, 0), generated::Point(3, 0, 0),
+                                      generated::Point(0, 1, 1)},
+                                     {{0, 1, 2}}));
 }
 
 BOOST_AUTO_TEST_CASE(layouts_of_random_fields)

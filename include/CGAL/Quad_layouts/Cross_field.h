@@ -69,7 +69,7 @@ public:
   {
     return int(std::count_if(m_index.begin(), m_index.end(), [](int i) { return i != 0; }));
   }
-  /// returns the sum of all indices: four times the Euler characteristic on a closed surface.
+  /// returns the sum of all indices: four times the Euler characteristic.
   int index_sum() const { return std::accumulate(m_index.begin(), m_index.end(), 0); }
 
 private:

@@ -115,7 +115,7 @@ every run.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre `tm` is closed and all its faces are triangles.
+\pre All faces of `tm` are triangles.
 
 \throw Invalid_mesh if the mesh cannot be used; the derived class says why.
 \throw Invalid_parameter if a parameter is out of its range, or a given direction is not finite or

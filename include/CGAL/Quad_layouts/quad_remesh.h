@@ -25,7 +25,7 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-computes a simple quad layout of a closed triangle mesh: few four-sided patches, without T-joints.
+computes a simple quad layout of a triangle mesh: few four-sided patches, without T-joints.
 
 It runs `compute_cross_field()`, `trace_motorcycle_graph()`, `quantize()` and
 `extract_quad_layout()`, and passes `np` to each of them. The layout is appended to `out` as a mesh
@@ -62,7 +62,7 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-remeshes a closed triangle mesh with quadrilaterals, on a simple quad layout.
+remeshes a triangle mesh with quadrilaterals, on a simple quad layout.
 
 It runs all stages, from `compute_cross_field()` to `smooth_quad_mesh()`, and passes `np` to each of
 them.
