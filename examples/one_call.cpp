@@ -4,7 +4,7 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Computes a quad layout of a closed triangle mesh in one call, and a quad mesh in another.
+// Computes a quad layout of a triangle mesh in one call, and a quad mesh in another.
 
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/quad_remesh.h>

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Computes a quad layout and a quad mesh of a closed triangle mesh, stage by stage, and writes them
+// Computes a quad layout and a quad mesh of a triangle mesh, stage by stage, and writes them
 // with statistics. `quad_layout --help` tells how it is used.
 
 #include "quad_layout/input.h"
@@ -16,10 +16,14 @@
 #include <CGAL/Quad_layouts/IO/write_layout.h>
 #include <CGAL/Quad_layouts/IO/write_quad_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/border.h>
+
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <string>
+#include <vector>
 
 using QL::IO::Json_object;
 
@@ -30,6 +34,13 @@ std::string status_name(QL::Quantization::Status status)
     case QL::Quantization::FEASIBLE: return "feasible";
     default: return "infeasible";
   }
+}
+
+int number_of_borders(const Mesh& mesh)
+{
+  std::vector<Mesh::Halfedge_index> cycles;
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(cycles));
+  return int(cycles.size());
 }
 
 Json_object statistics(const Mesh& mesh, const Results& r)
@@ -45,7 +56,7 @@ Json_object statistics(const Mesh& mesh, const Results& r)
                         .add("faces", int(mesh.number_of_faces()))
                         .add("euler", input.euler_characteristic)
                         .add("components", input.components)
-                        .add("borders", 0)) // meshes with a border are refused
+                        .add("borders", number_of_borders(mesh)))
       .add("singularities_in", r.field.number_of_singularities())
       .add("singularities_out", r.quality.irregular_vertices)
       .add("patches", r.quality.patches)

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Remeshes a closed triangle mesh with quads, stage by stage, and looks at what each one makes.
+// Remeshes a triangle mesh with quads, stage by stage, and looks at what each one makes.
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>

@@ -25,7 +25,8 @@ inline std::shared_ptr<const CGAL::Quad_layouts::internal::Triangle_surface>
 surface_of(const Mesh& mesh)
 {
   using namespace CGAL::Quad_layouts::internal;
-  return std::make_shared<const Triangle_surface>(make_triangle_surface(mesh, mesh.points()));
+  return std::make_shared<const Triangle_surface>(
+      split_fixed_faces(make_triangle_surface(mesh, mesh.points())));
 }
 
 // the field with a direction in each face that is given as a function of the face's centre, turned

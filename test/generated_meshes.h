@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-// Closed triangle meshes made by code, outward oriented.
+// Triangle meshes made by code: closed ones, outward oriented, and flat ones with borders.
 namespace generated {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -172,6 +172,113 @@ inline Mesh disjoint_union(Mesh a, const Mesh& b)
 {
   CGAL::copy_face_graph(b, a);
   return a;
+}
+
+// The cells of a plate: unit squares, each split into n x n squares of two triangles.
+inline Mesh plate(const std::vector<std::array<int, 2>>& cells, int n)
+{
+  std::map<std::array<int, 2>, int> number_of_corner;
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  const auto corner = [&](int x, int y) {
+    const auto [position, is_new] = number_of_corner.try_emplace({x, y}, int(points.size()));
+    if (is_new)
+      points.emplace_back(x / double(n), y / double(n), 0);
+    return position->second;
+  };
+  for (const auto& [x, y] : cells)
+    for (int i = n * x; i < n * (x + 1); ++i)
+      for (int j = n * y; j < n * (y + 1); ++j) {
+        triangles.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)});
+        triangles.push_back({corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)});
+      }
+  return mesh_of(points, triangles);
+}
+
+// a rectangular plate of width by height cells, without the `holes`
+inline Mesh plate_with_holes(int width, int height, const std::vector<std::array<int, 2>>& holes,
+                             int n)
+{
+  std::vector<std::array<int, 2>> cells;
+  for (int x = 0; x < width; ++x)
+    for (int y = 0; y < height; ++y)
+      if (std::find(holes.begin(), holes.end(), std::array<int, 2>{x, y}) == holes.end())
+        cells.push_back({x, y});
+  return plate(cells, n);
+}
+
+// the ring between two circles about the origin, with `rings` rings of 2 n triangles
+inline Mesh annulus(double inner_radius, double outer_radius, int rings, int n)
+{
+  const double pi = std::acos(-1.);
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  const auto vertex = [&](int i, int j) { return i * n + j % n; };
+  for (int i = 0; i <= rings; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double r = inner_radius + (outer_radius - inner_radius) * i / rings;
+      points.emplace_back(r * std::cos(2 * pi * j / n), r * std::sin(2 * pi * j / n), 0);
+      if (i < rings) {
+        triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+        triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+      }
+    }
+  return mesh_of(points, triangles);
+}
+
+// A ring whose outer border winds outwards once around the origin, and gets back by a step: there it
+// has a convex and a concave corner.
+inline Mesh annulus_with_step(double inner_radius, double step, int rings, int n)
+{
+  const double pi = std::acos(-1.);
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  const auto add_point = [&](double r, int j) {
+    points.emplace_back(r * std::cos(2 * pi * j / n), r * std::sin(2 * pi * j / n), 0);
+  };
+  const auto add_square = [&](int a, int b, int c, int d) {
+    for (const Triangle& t : {Triangle{a, b, c}, {a, c, d}})
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+        triangles.push_back(t);
+  };
+  for (int i = 0; i <= rings; ++i)
+    for (int j = 0; j < n; ++j)
+      add_point(inner_radius + (1 - inner_radius) * i / rings, j);
+  const auto vertex = [&](int i, int j) { return i * n + j % n; };
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < n; ++j)
+      add_square(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+  const int rows = (std::max)(1, int(step * rings)), first = int(points.size());
+  for (int k = 1; k <= rows; ++k)
+    for (int j = 1; j <= n; ++j)
+      add_point(1 + step * k / rows * j / n, j);
+  const auto outer = [&](int k, int j) {
+    return k == 0 || j == 0 ? vertex(rings, j) : first + (k - 1) * n + j - 1;
+  };
+  for (int k = 0; k < rows; ++k)
+    for (int j = 0; j < n; ++j)
+      add_square(outer(k, j), outer(k + 1, j), outer(k + 1, j + 1), outer(k, j + 1));
+  return mesh_of(points, triangles);
+}
+
+// the unit disc, with `rings` rings around its centre, the k-th of 6 k vertices
+inline Mesh disc(int rings)
+{
+  const double pi = std::acos(-1.);
+  std::vector<Point> points{Point(0, 0, 0)};
+  std::vector<Triangle> triangles;
+  const auto first = [](int k) { return k == 0 ? 0 : 1 + 3 * k * (k - 1); };
+  const auto vertex = [&](int k, int j) { return k == 0 ? 0 : first(k) + j % (6 * k); };
+  for (int k = 1; k <= rings; ++k)
+    for (int j = 0; j < 6 * k; ++j) {
+      const double r = double(k) / rings, angle = 2 * pi * j / (6 * k);
+      points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+      const int sector = j / k, inner = j - sector;
+      triangles.push_back({vertex(k, j), vertex(k, j + 1), vertex(k - 1, inner)});
+      if (j % k != k - 1)
+        triangles.push_back({vertex(k - 1, inner), vertex(k, j + 1), vertex(k - 1, inner + 1)});
+    }
+  return mesh_of(points, triangles);
 }
 
 // moves every coordinate by up to `amplitude`; the same seed gives the same mesh on every machine

@@ -53,6 +53,11 @@ inline void check_halfedge_complex(const Halfedge_complex& c)
   BOOST_TEST(violations(nh, [&](int h) { return c.face(c.next(h)) == c.face(h); }) == 0);
   BOOST_TEST(violations(nv, [&](int v) { return c.source(c.halfedge_from(v)) == v; }) == 0);
   BOOST_TEST(violations(nf, [&](int f) { return c.face(c.halfedge_of(f)) == f; }) == 0);
+  BOOST_TEST(violations(nh, [&](int h) {
+    const int v = c.source(h);
+    return !c.is_border(Halfedge_complex::opposite(h)) || c.halfedge_from(v) == h;
+  }) == 0);
+  BOOST_TEST(violations(nh, [&](int h) { return !c.is_border(h) || !c.is_border(h ^ 1); }) == 0);
 }
 
 // returns the halfedges that leave v, counter-clockwise, from halfedge_from(v)
@@ -74,7 +79,8 @@ inline int quarter_turns(const T_mesh& t, int n)
 {
   int sum = 0;
   for (int h : outgoing(t, n))
-    sum += t.is_corner(Halfedge_complex::opposite(h)) ? 1 : 2;
+    if (!t.is_border(Halfedge_complex::opposite(h)))
+      sum += t.is_corner(Halfedge_complex::opposite(h)) ? 1 : 2;
   return sum;
 }
 
@@ -84,7 +90,8 @@ inline void check_patches(const T_mesh& t)
   std::vector<int> corners(np, 0);
   std::vector<char> follows_corner(t.number_of_halfedges(), 0);
   for (int h = 0; h < t.number_of_halfedges(); ++h) {
-    corners[t.face(h)] += t.is_corner(h);
+    if (!t.is_border(h))
+      corners[t.face(h)] += t.is_corner(h);
     follows_corner[t.next(h)] = t.is_corner(h);
   }
   BOOST_TEST(violations(np, [&](int p) { return corners[p] == 4; }) == 0);
@@ -99,7 +106,9 @@ inline void check_nodes(const T_mesh& t)
   for (int n = 0; n < nodes; ++n)
     index_sum += t.index(n);
   BOOST_TEST(index_sum == 4 * invariants::euler_characteristic(t.surface()));
-  BOOST_TEST(violations(nodes, [&](int n) { return quarter_turns(t, n) == 4 - t.index(n); }) == 0);
+  BOOST_TEST(violations(nodes, [&](int n) {
+    return quarter_turns(t, n) == (t.is_on_border(n) ? 2 : 4) - t.index(n);
+  }) == 0);
   BOOST_TEST(violations(nodes, [&](int n) {
     return t.node_visits[n].size() == (t.is_singularity_or_seed(n) ? 0u : 2u);
   }) == 0);
@@ -123,9 +132,14 @@ inline void check_trace(const T_mesh& t, int i)
     return straight_on(t, 2 * arcs[k]) == 2 * arcs[k + 1];
   }) == 0);
   BOOST_TEST(violations(last + 1, [&](int k) { return t.trace(arcs[k]) == i; }) == 0);
-  const T_mesh::Visit end = t.node_visits[t.target(2 * arcs.back())][1];
-  BOOST_TEST(end.trace == i);
-  BOOST_TEST(end.arcs == last + 1);
+  const int end = t.target(2 * arcs.back());
+  if (t.is_border_edge(arcs.back())) {
+    BOOST_TEST(t.is_singularity_or_seed(end));
+    BOOST_TEST(violations(last + 1, [&](int k) { return t.is_border(2 * arcs[k] + 1); }) == 0);
+  } else {
+    BOOST_TEST(t.node_visits[end][1].trace == i);
+    BOOST_TEST(t.node_visits[end][1].arcs == last + 1);
+  }
 }
 
 // returns the length of a trace up to a visit
@@ -144,7 +158,7 @@ inline void check_visits(const T_mesh& t)
     for (const T_mesh::Visit& v : t.node_visits[n])
       if (t.target(2 * t.traces[v.trace].arcs[v.arcs - 1]) != n)
         return false;
-    return t.node_visits[n].empty()
+    return t.node_visits[n].empty() || t.is_on_border(n)
         || length_until(t, t.node_visits[n][0]) <= length_until(t, t.node_visits[n][1]) + tolerance;
   }) == 0);
 }
@@ -164,6 +178,9 @@ inline void follow_edge(const T_mesh& t, int h, std::vector<std::pair<int, int>>
   const auto& surface = t.surface();
   const int e = surface.edge(h);
   const auto& crossings = t.edge_crossings[e];
+  const auto& along = t.edge_arcs[e];
+  for (std::size_t i = 0; i < along.size(); ++i)
+    steps.emplace_back(t.face(along[i == 0 ? 0 : i - 1]), t.face(along[i]));
   if (surface.halfedge_of_edge(e) == h)
     for (auto c = crossings.begin(); c != crossings.end(); ++c)
       steps.emplace_back(t.face(*c), t.face(*c ^ 1));
@@ -195,8 +212,12 @@ inline bool leaves_through_corners(const T_mesh& t, int n)
   t.surface().for_each_outgoing(t.surface_vertex(n), [&](int h) {
     in_corners.insert(in_corners.end(), t.corner_arcs[h].begin(), t.corner_arcs[h].end());
   });
+  if (t.is_on_border(n)) { // two arcs run along edges
+    around.erase(around.begin());
+    around.pop_back();
+  }
   if (in_corners.empty())
-    return false;
+    return around.empty();
   const auto first = std::find(around.begin(), around.end(), in_corners.front());
   std::rotate(around.begin(), first, around.end());
   return in_corners == around;
@@ -226,7 +247,8 @@ inline void check_crossings(const T_mesh& t)
   for (int e = 0; e < t.surface().number_of_edges(); ++e) {
     const std::vector<double>& parameters = t.crossing_parameters[e];
     of_edges += int(t.edge_crossings[e].size());
-    wrong += parameters.size() != t.edge_crossings[e].size();
+    const std::size_t nodes = t.edge_arcs[e].empty() ? 0 : t.edge_arcs[e].size() - 1;
+    wrong += parameters.size() != t.edge_crossings[e].size() + nodes;
     wrong += !std::is_sorted(parameters.begin(), parameters.end());
   }
   BOOST_TEST(wrong == 0);

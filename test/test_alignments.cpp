@@ -38,14 +38,6 @@ QL::Cross_field field_along_axes(const generated::Mesh& mesh)
   return generated::field_along(mesh, direction, [](const Eigen::Vector3d&) { return 0.; });
 }
 
-std::vector<std::vector<double>> lengths_of(const QL::T_mesh& t)
-{
-  std::vector<std::vector<double>> result;
-  for (std::size_t i = 0; i < t.traces.size(); ++i)
-    result.push_back(internal::cumulative_lengths(t, int(i)));
-  return result;
-}
-
 bool ends_in_singularity(const QL::T_mesh& t, const QL::T_mesh::Trace& trace)
 {
   return t.is_singularity_or_seed(t.target(2 * trace.arcs.back()));
@@ -73,7 +65,7 @@ BOOST_AUTO_TEST_CASE(no_trace_runs_into_a_singularity)
     for (const auto& trace : t.traces)
       ends += ends_in_singularity(t, trace);
     BOOST_TEST(ends == 0);
-    const auto lengths = lengths_of(t);
+    const auto lengths = internal::Runs(t).lengths();
     const std::vector<std::vector<int>> free(t.traces.size());
     BOOST_TEST(internal::Alignments(t, lengths, free).number_of_candidates() > 8);
   }
@@ -83,7 +75,7 @@ BOOST_AUTO_TEST_CASE(no_trace_runs_into_a_singularity)
 BOOST_AUTO_TEST_CASE(rows_have_the_order_of_tracing)
 {
   for (const QL::T_mesh& t : aligned_t_meshes(1)) {
-    const auto lengths = lengths_of(t);
+    const auto lengths = internal::Runs(t).lengths();
     int wrong = 0;
     for (const auto& visits : t.node_visits)
       if (visits.size() == 2) {

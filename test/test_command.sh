@@ -77,8 +77,6 @@ echo "no mesh" >broken.off
 expect 1 "cannot be read" broken.off
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 2 3\n3 1 2 3\n' >turned.off
 expect 1 "faces 0 and 2 .*vertex 0 to vertex 2.*orient_polygon_soup" turned.off
-printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n' >open.off
-expect 1 "stitch_borders" open.off --quiet
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 nan\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' >nan.off
 expect 1 "." nan.off --quiet
 echo "1 0 0" >short.txt
@@ -106,6 +104,11 @@ for key in input vertices faces euler components borders singularities_in singul
   grep -q "\"$key\":" result/stats.json || fail "stats.json has no $key"
 done
 grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 patches"
+
+# a surface with a border
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n' >open.off
+expect 0 "smooth" open.off --output open --edge-length 0.05
+grep -q '"borders": 1' open/stats.json || fail "stats.json does not say 1 border"
 
 # the program for other solvers
 expect 0 "" cube.off --output result --edge-length 0.05 --write-program program.mps --quiet

@@ -54,6 +54,23 @@ std::vector<int> indices(const QL::Cross_field& field)
   return result;
 }
 
+// Borders are lines of the field, with one quadrant or more at each vertex, and the sum of all
+// indices is four times the Euler characteristic.
+void check_borders(const QL::Cross_field& field)
+{
+  const auto& surface = field.surface();
+  int euler = surface.number_of_vertices() - surface.number_of_edges() + surface.number_of_faces();
+  for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    if (surface.is_border(h))
+      BOOST_TEST(deviation(field, surface.face(h), surface.vector(h)) < 1e-9);
+  for (int v = 0; v < surface.number_of_vertices(); ++v) {
+    euler -= surface.halfedge(v) < 0;
+    if (surface.is_on_border(v))
+      BOOST_TEST(field.index(v) < 2);
+  }
+  BOOST_TEST(field.index_sum() == 4 * euler);
+}
+
 // the indices by position: copies of a mesh may number their vertices in another order
 std::map<std::array<double, 3>, int> indices_in_space(const QL::Cross_field& field)
 {
@@ -331,6 +348,51 @@ BOOST_AUTO_TEST_CASE(visitor_can_stop)
   BOOST_CHECK_THROW(QL::compute_cross_field(mesh, params::visitor(std::ref(visitor))),
                     QL::Cancelled);
   BOOST_TEST(visitor.calls == 3);
+}
+
+BOOST_AUTO_TEST_CASE(corners_of_a_plate)
+{
+  const Mesh mesh = generated::plate_with_holes(3, 3, {{1, 1}}, 4);
+  const QL::Cross_field field = QL::compute_cross_field(mesh);
+  check_borders(field);
+  // four convex corners outside, four concave ones around the hole
+  std::map<int, int> count;
+  for (int i : indices(field))
+    ++count[i];
+  BOOST_TEST(count[1] == 4);
+  BOOST_TEST(count[-1] == 4);
+  BOOST_TEST(field.number_of_singularities() == 8);
+}
+
+BOOST_AUTO_TEST_CASE(smooth_borders_have_no_corners)
+{
+  for (const Mesh& mesh : {generated::disc(12), generated::annulus(0.5, 1, 8, 48)}) {
+    const QL::Cross_field field = QL::compute_cross_field(mesh);
+    check_borders(field);
+    const auto& surface = field.surface();
+    for (int v = 0; v < surface.number_of_vertices(); ++v)
+      if (surface.is_on_border(v))
+        BOOST_TEST(field.index(v) == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(single_triangle)
+{
+  const Mesh mesh = generated::mesh_of({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)},
+                                       {{0, 1, 2}});
+  const QL::Cross_field field = QL::compute_cross_field(mesh);
+  check_borders(field);
+  BOOST_TEST(field.surface().number_of_faces() == 3);
+}
+
+BOOST_AUTO_TEST_CASE(given_directions_are_aligned_to_the_border)
+{
+  Mesh mesh = generated::plate_with_holes(3, 3, {{1, 1}}, 4);
+  Face_vectors directions = mesh.add_property_map<Mesh::Face_index, Vector>("f:v").first;
+  for (const auto f : faces(mesh))
+    directions[f] = Vector(1, 0.4, 0);
+  check_borders(QL::compute_cross_field(mesh, params::face_direction_map(directions)));
+  check_borders(QL::compute_cross_field(mesh, params::face_constraint_map(directions)));
 }
 
 BOOST_AUTO_TEST_CASE(polyhedron)

@@ -165,11 +165,24 @@ BOOST_AUTO_TEST_CASE(refuses_points_that_are_not_finite)
   }
 }
 
-BOOST_AUTO_TEST_CASE(refuses_borders)
+BOOST_AUTO_TEST_CASE(knows_borders)
 {
   Triangles triangles = tetrahedron;
   triangles.pop_back();
-  check_refused<QL::Mesh_with_border>(tetrahedron_points, triangles, "of face 0");
+  const Triangle_surface s = make_checked_surface(tetrahedron_points, triangles);
+  int on_border = 0, fixed = 0;
+  for (int v = 0; v < s.number_of_vertices(); ++v) {
+    on_border += s.is_on_border(v);
+    if (s.is_on_border(v)) {
+      BOOST_TEST(s.is_border(s.halfedge(v)));
+      BOOST_TEST(s.is_border(s.border_halfedge_to(v)));
+      BOOST_TEST(s.target(s.border_halfedge_to(v)) == v);
+    }
+  }
+  for (int h = 0; h < s.number_of_halfedges(); ++h)
+    fixed += s.is_fixed(h);
+  BOOST_TEST(on_border == 3);
+  BOOST_TEST(fixed == 3);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_edges_that_are_not_manifold)

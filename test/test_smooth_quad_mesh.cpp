@@ -178,6 +178,29 @@ BOOST_AUTO_TEST_CASE(borders_stay)
       BOOST_TEST(after.point(v) == before.point(v));
 }
 
+// Uneven vertices on the border of a square spread over its sides, and do not leave them.
+BOOST_AUTO_TEST_CASE(border_vertices_slide_along_the_border)
+{
+  const int n = 8;
+  Mesh quads;
+  std::vector<Mesh::Vertex_index> vertex;
+  const auto uneven = [&](int i) { return std::pow(i / double(n), 1.5); };
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      vertex.push_back(quads.add_vertex(generated::Point(uneven(i), uneven(j), 0)));
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int v = j * (n + 1) + i;
+      quads.add_face(vertex[v], vertex[v + 1], vertex[v + n + 2], vertex[v + n + 1]);
+    }
+  QL::smooth_quad_mesh(quads, generated::plate({{0, 0}}, 5));
+  for (int i = 0; i <= n; ++i) {
+    BOOST_TEST(std::abs(quads.point(vertex[i]).x() - i / double(n)) < 0.02);
+    BOOST_TEST(quads.point(vertex[i]).y() == 0);
+    BOOST_TEST(quads.point(vertex[i * (n + 1) + n]).x() == 1);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(same_result_again_and_on_other_meshes)
 {
   const Mesh surface = bumpy(generated::icosphere(3)), quads = bumpy(generated::quad_sphere(8));

@@ -245,6 +245,51 @@ BOOST_AUTO_TEST_CASE(random_fields)
   }
 }
 
+BOOST_AUTO_TEST_CASE(square_has_a_patch)
+{
+  const QL::T_mesh t = trace(QL::compute_cross_field(generated::plate({{0, 0}}, 4)), 15, 2);
+  BOOST_TEST(t.number_of_faces() == 1);
+  BOOST_TEST(t.number_of_edges() == 4);
+  BOOST_TEST(t.traces.size() == 4u);
+  for (int a = 0; a < 4; ++a)
+    BOOST_TEST(t.length(a) == 1, boost::test_tools::tolerance(1e-12));
+}
+
+// Two traces start in each concave corner, and end on the border.
+BOOST_AUTO_TEST_CASE(plate_with_a_hole)
+{
+  const Mesh mesh = generated::plate_with_holes(3, 3, {{1, 1}}, 4);
+  const QL::T_mesh t = trace(QL::compute_cross_field(mesh), 15, 2);
+  BOOST_TEST(number_of_starts(t) == 8);
+  BOOST_TEST(t.traces.size() == 16u);
+  BOOST_TEST(t.number_of_faces() == 8);
+  BOOST_TEST(t.euler_characteristic() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(borders_without_corners_get_seeds)
+{
+  const Mesh mesh = generated::annulus(0.5, 1, 6, 40);
+  const QL::T_mesh t = trace(QL::compute_cross_field(mesh), 15, 2);
+  BOOST_TEST(number_of_starts(t) == 2);
+  BOOST_TEST(t.traces.size() == 4u);
+  BOOST_TEST(t.number_of_faces() == 2);
+  trace(QL::compute_cross_field(generated::disc(10)), 15, 2);
+}
+
+BOOST_AUTO_TEST_CASE(random_fields_with_borders)
+{
+  const std::vector<Mesh> meshes = {
+      generated::plate({{0, 0}}, 5), generated::plate_with_holes(5, 3, {{1, 1}, {3, 1}}, 3),
+      generated::disc(8), generated::annulus(0.3, 1, 5, 24),
+      generated::noisy(generated::plate_with_holes(4, 4, {{2, 2}, {0, 0}}, 4), 0.05, 2)};
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    const double alpha = 1 + random() % 88, r = random() % 5;
+    BOOST_TEST_CONTEXT("seed " << seed << ", deviation " << alpha << ", displacement " << r)
+      trace(random_field(meshes[seed % meshes.size()], seed), alpha, r);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(needles)
 {
   Mesh mesh = generated::noisy(generated::icosphere(3), 1e-3, 1);

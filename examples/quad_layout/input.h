@@ -135,8 +135,6 @@ inline std::string repair_hint(const CGAL::Quad_layouts::Error& error)
 {
   namespace QL = CGAL::Quad_layouts;
   const std::string pmp = "CGAL::Polygon_mesh_processing::";
-  if (dynamic_cast<const QL::Mesh_with_border*>(&error))
-    return pmp + "stitch_borders() or triangulate_hole()";
   if (dynamic_cast<const QL::Non_triangle_face*>(&error))
     return pmp + "triangulate_faces()";
   if (dynamic_cast<const QL::Degenerate_face*>(&error))

@@ -44,7 +44,7 @@ inline const char* usage()
          "                         [--solver NAME] [--time-limit S] [--field FILE]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
-         "Computes a simple quad layout of a closed triangle mesh, and a quad mesh on it.\n"
+         "Computes a simple quad layout of a triangle mesh, and a quad mesh on it.\n"
          "INPUT is an OFF, OBJ, PLY or STL file, told by its extension.\n"
          "\n"
          "  --output DIR           where the results go, made if needed (.)\n"

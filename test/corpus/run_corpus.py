@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the command on every closed model of some folders and prints one line per model and a summary.
+"""Runs the command on every model of some folders and prints one line per model and a summary.
 
     run_corpus.py --program build/examples/quad_layout [--data DIR ...] [--models NAME ...]
                   [--metrics quad_metrics.py] [--strict] [--jobs 2] [--output DIR] [--table FILE]
@@ -82,8 +82,8 @@ def examine(model, options):
     return row, not faults
 
 
-def is_closed(model):
-    """Tell whether each edge of a triangle mesh in OFF belongs to two triangles, in opposite directions."""
+def is_oriented(model):
+    """Tell whether no two triangles of a mesh in OFF have an edge in the same direction."""
     with open(model, encoding="utf-8", errors="replace") as stream:
         lines = [words for words in (line.split("#")[0].split() for line in stream) if words]
     try:
@@ -96,7 +96,7 @@ def is_closed(model):
         return False
     if len(corners) != faces:
         return False
-    return faces > 0 and len(edges) == 3 * faces and all((b, a) in edges for a, b in edges)
+    return faces > 0 and len(edges) == 3 * faces
 
 
 def select(options):
@@ -104,11 +104,11 @@ def select(options):
     files = sorted(f for folder in options.data for f in glob.glob(os.path.join(folder, "*.off")))
     if options.models:
         files = [f for f in files if os.path.splitext(os.path.basename(f))[0] in options.models]
-    closed = [f for f in files if is_closed(f)]
-    left_out = [os.path.basename(f) for f in files if f not in closed]
+    oriented = [f for f in files if is_oriented(f)]
+    left_out = [os.path.basename(f) for f in files if f not in oriented]
     if left_out:
-        print("left out, as no closed meshes of triangles:", *left_out)
-    return closed
+        print("left out, as no oriented meshes of triangles:", *left_out)
+    return oriented
 
 
 def main():

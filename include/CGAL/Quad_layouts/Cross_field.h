@@ -26,7 +26,8 @@ of the directions of adjacent faces, and the index of each vertex that follows.
 The elements of the mesh are numbered: face `f` is the `f`-th of `faces(tm)`, vertex `v` the `v`-th
 of `vertices(tm)`. The field carries a compact copy of the mesh, its *surface*, in which face `f`
 owns the halfedges `3f`, `3f+1`, `3f+2`, in the order in which `halfedge(f, tm)` and its successors
-come in the mesh.
+come in the mesh. A face with several border edges is divided in three: two of the parts follow behind the
+last face of the mesh, as their common vertex behind the last vertex.
 
 Direction `d` (0 to 3, counter-clockwise) of face `f` has the angle `angle(f)` + `d` pi/2 with the
 first halfedge of the face.
@@ -61,14 +62,14 @@ public:
   /// direction `d + p` (mod 4) of the face on the other side.
   int matching(int h) const { return m_matching[h]; }
   /// returns the index of vertex `v` in quarters: +1 where four minus one lines leave, -1 where
-  /// five do.
+  /// five do. On the border it is two minus the number of quadrants: +1 in a corner.
   int index(int v) const { return m_index[v]; }
   /// returns the number of vertices whose index is not 0.
   int number_of_singularities() const
   {
     return int(std::count_if(m_index.begin(), m_index.end(), [](int i) { return i != 0; }));
   }
-  /// returns the sum of all indices: four times the Euler characteristic on a closed surface.
+  /// returns the sum of all indices: four times the Euler characteristic.
   int index_sum() const { return std::accumulate(m_index.begin(), m_index.end(), 0); }
 
 private:

@@ -19,14 +19,15 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsClasses
 
-is a closed, oriented cell complex on a surface, stored as a halfedge structure in index arrays.
+is an oriented cell complex on a surface, with or without border, stored as a halfedge structure in index arrays.
 
 It is the common base of `T_mesh` and `Quad_layout`. Unlike most mesh structures it allows what
 coarse layouts need: an edge may be a loop, a face may touch itself along an edge or in a vertex,
 two vertices may be joined by several edges (a torus can have a single face).
 
 Vertices, edges, halfedges and faces are numbered from 0. Edge `e` has the halfedges `2e` and
-`2e+1`; halfedge `h` has its face on its left.
+`2e+1`; halfedge `h` has its face on its left. Halfedges on the border have the face -1, and are linked
+to the next ones along the border.
 
 `Halfedge_complex` and the classes derived from it are models of `FaceListGraph` and
 `HalfedgeListGraph`: include `CGAL/Quad_layouts/graph_traits_Halfedge_complex.h`.
@@ -51,7 +52,10 @@ public:
   int target(int h) const { return halfedge_target[h]; }
   int source(int h) const { return halfedge_target[h ^ 1]; }
   int next(int h) const { return halfedge_next[h]; }
+  /// returns the face on the left of `h`, -1 if there is none.
   int face(int h) const { return halfedge_face[h]; }
+  bool is_border(int h) const { return halfedge_face[h] < 0; }
+  bool is_border_edge(int e) const { return is_border(2 * e) || is_border(2 * e + 1); }
   /// returns the halfedge before `h` in its face, in time linear in the face's length.
   int prev(int h) const
   {
@@ -60,7 +64,8 @@ public:
       g = next(g);
     return g;
   }
-  /// returns a halfedge whose *source* is `v`, -1 if there is none.
+  /// returns a halfedge whose *source* is `v`, -1 if there is none; on the border the one that has the
+  /// border on its right.
   int halfedge_from(int v) const { return vertex_halfedge[v]; }
   /// returns a halfedge of face `f`.
   int halfedge_of(int f) const { return face_halfedge[f]; }
@@ -68,6 +73,10 @@ public:
   int turn_right(int h) const { return next(opposite(h)); }
   /// returns the next halfedge with the same source, counter-clockwise.
   int turn_left(int h) const { return opposite(prev(h)); }
+  bool is_on_border(int v) const
+  {
+    return vertex_halfedge[v] >= 0 && is_border(opposite(vertex_halfedge[v]));
+  }
   const Point& point(int v) const { return vertex_point[v]; }
 
   /// \name The arrays

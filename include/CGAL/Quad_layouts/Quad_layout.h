@@ -21,7 +21,7 @@ is a conforming quad layout of a surface, as combinatorics: the quotient of a qu
 
 As a cell complex its faces are quadrilaterals, the unit squares of the quantization. Its *patches*
 are the faces of the base complex, the coarsest sub-complex without T-joints that contains all
-separatrices (chains of edges that leave an irregular vertex and go straight on): `patch` says to
+separatrices (the border, and chains of edges that leave an irregular vertex and go straight on): `patch` says to
 which patch a face belongs.
 
 A *chord* is a class of edges that are opposite each other in faces; all edges of a chord are
@@ -34,7 +34,7 @@ public:
   struct Cluster
   {
     int vertex; ///< the vertex of the layout
-    int index;  ///< sum of the members' indices, in quarters; the valence is 4 - index
+    int index;  ///< sum of the members' indices, in quarters: that of the vertex
     std::vector<int>
         nodes; ///< the singularities and seeds of the T-mesh that were merged, ascending
   };
@@ -60,15 +60,20 @@ public:
     return n;
   }
 
+  /// says if `v` has four edges, or three on the border.
+  bool is_regular(int v) const { return index(v) == 0; }
+  /// returns four minus the valence of `v`, on the border three minus it.
+  int index(int v) const { return (is_on_border(v) ? 3 : 4) - valence(v); }
+
   int chord(int edge) const { return edge_chord[edge]; }
   bool is_on_separatrix(int edge) const { return edge_on_separatrix[edge] != 0; }
   int patch(int face) const { return face_patch[face]; }
-  /// returns the number of layout vertices whose valence is not 4.
+  /// returns the number of layout vertices that are not regular.
   int number_of_irregular_vertices() const
   {
     int n = 0;
     for (int v = 0; v < number_of_vertices(); ++v)
-      n += valence(v) != 4;
+      n += !is_regular(v);
     return n;
   }
 

@@ -26,7 +26,8 @@ motorcycle graph
 
 As a cell complex its vertices are called *nodes*, its edges *arcs*, its faces *patches*. Node kinds
 are singularities and seeds (both at a vertex of the surface), crossings of two traces, and
-T-joints, where a trace ends on another. Arc `a` belongs to one trace; its halfedge `2a` points the
+T-joints, where a trace ends on another. The border is made of traces, too, which run from one of its
+singularities or seeds to the next, the surface on their left; the last arc of each ends there. Arc `a` belongs to one trace; its halfedge `2a` points the
 way the trace runs.
 
 A patch is a disc with four corners; `is_corner(h)` says that the patch of `h` has a corner between
@@ -66,9 +67,10 @@ public:
   bool is_corner(int h) const { return halfedge_is_corner[h] != 0; }
   /// returns the vertex of the surface at which node `n` lies, -1 for crossings and T-joints.
   int surface_vertex(int n) const { return node_surface_vertex[n]; }
-  /// returns the index of node `n` in quarters; 0 for crossings, T-joints and seeds.
+  /// returns the index of node `n` in quarters; 0 for crossings, T-joints and seeds. On the border it is
+  /// two minus the number of quadrants.
   int index(int n) const { return node_index[n]; }
-  /// says if node `n` is where traces begin.
+  /// says if traces begin at node `n`.
   bool is_singularity_or_seed(int n) const { return node_surface_vertex[n] >= 0; }
 
   /// returns the four sides of patch `p` in counter-clockwise order, beginning with
@@ -99,20 +101,26 @@ public:
   /// per node the passing traces: none at singularities and seeds, else two (the second one ends
   /// here at a T-joint or both pass). A trace that crosses itself is listed twice. The second visit
   /// is that of the longer trace: l_ij > l_ji for i the second and j the first, equal lengths being
-  /// ordered by the numbers of the traces.
+  /// ordered by the numbers of the traces. On the border the second visit is that of the trace that
+  /// ends there.
   std::vector<std::vector<Visit>> node_visits;
 
   /// per edge of the surface the halfedges of the arcs that cross it, in order from the source of
   /// `surface().halfedge_of_edge(e)` to its target; the patch of each is on the side of that
   /// source.
   std::vector<std::vector<int>> edge_crossings;
-  /// where each of `edge_crossings` lies: the fraction of the edge before it. It never decreases
-  /// along an edge; where lines converge beyond the resolution of numbers it stays the same.
+  /// per edge of the surface the halfedges of the arcs that run along it, in order along
+  /// `surface().halfedge_of_edge(e)` and in that direction; empty except on the border.
+  std::vector<std::vector<int>> edge_arcs;
+  /// where each of `edge_crossings`, or each node between two of `edge_arcs`, lies: the fraction of the
+  /// edge before it. It never decreases along an edge; where lines converge beyond the resolution of
+  /// numbers it stays the same.
   std::vector<std::vector<double>> crossing_parameters;
-  /// per arc the edges of the surface that it crosses, in the order of travel.
+  /// per arc the edges of the surface that it crosses, in the order of travel; none on the border.
   std::vector<std::vector<Crossing>> arc_crossings;
   /// per corner (halfedge of the surface) the halfedges of the arcs that leave the node at its
-  /// source into its face, counter-clockwise; empty away from nodes.
+  /// source into its face, counter-clockwise; empty away from nodes. Arcs along edges are not among
+  /// them.
   std::vector<std::vector<int>> corner_arcs;
   /// @}
 };

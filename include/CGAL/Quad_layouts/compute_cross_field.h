@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/internal/field/smooth_cross_field.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
+#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
@@ -38,7 +39,7 @@ inline void check_field_options(const Cross_field_options& options)
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-computes a smooth cross field on a closed triangle mesh, or completes one that is given.
+computes a smooth cross field on a triangle mesh, or completes one that is given.
 
 A smooth field minimises the difference between adjacent faces by the diffusion of Merriman, Bence
 and Osher (Viertel and Osting, <em>An approach to quad meshing based on harmonic cross-valued maps
@@ -48,6 +49,10 @@ spread over several vertices where the mesh has them; in such places the matchin
 the one that turns the field least. A given field keeps its directions; only the matchings and
 indices are computed.
 
+Along the border the field always has the direction of the border edges, also where another
+direction is prescribed or given. Faces with several border edges are divided in three on the
+field's surface.
+
 The indices of the field sum to four times the Euler characteristic. The components of the mesh do
 not influence one another, neither do scale and position; and the same input has the same output on
 every run.
@@ -55,7 +60,7 @@ every run.
 @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 @tparam NamedParameters a sequence of named parameters
 
-@param tm the surface, closed, with triangles that are not degenerate
+@param tm the surface, with or without border, with triangles that are not degenerate
 @param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
@@ -110,7 +115,7 @@ every run.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre `tm` is closed and all its faces are triangles.
+\pre All faces of `tm` are triangles.
 
 \throw Invalid_mesh if the mesh cannot be used; the derived class says why.
 \throw Invalid_parameter if a parameter is out of its range, or a given direction is not finite or
@@ -146,7 +151,7 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("compute_cross_field", [&] {
     const auto surface = std::make_shared<const internal::Triangle_surface>(
-      internal::make_triangle_surface(tm, points));
+      internal::split_fixed_faces(internal::make_triangle_surface(tm, points)));
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);
   });

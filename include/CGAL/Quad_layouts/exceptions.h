@@ -79,13 +79,6 @@ public:
   using Invalid_mesh::Invalid_mesh;
 };
 
-/// says that the mesh has a border; closed surfaces are required.
-class Mesh_with_border : public Invalid_mesh
-{
-public:
-  using Invalid_mesh::Invalid_mesh;
-};
-
 /// says that the value of a named parameter is outside its range.
 class Invalid_parameter : public Error
 {

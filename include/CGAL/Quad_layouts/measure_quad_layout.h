@@ -27,7 +27,7 @@ struct Quad_layout_measures
   int chords = 0;
   int euler_characteristic = 0;
 
-  int irregular_vertices = 0;  ///< those of a valence other than 4 (\#S)
+  int irregular_vertices = 0;  ///< those of a valence other than 4, or 3 on the border (\#S)
   std::map<int, int> valences; ///< number of vertices of each valence that occurs
   int patches = 0;             ///< faces of the base complex (\#P)
   int patches_floor = 0; ///< least number of patches that the irregular vertices allow: each is a
@@ -53,7 +53,8 @@ inline int number_of_t_junctions(const Quad_layout& layout)
     result += corners > 4 ? corners - 4 : 0;
   }
   for (int h = 0; h < layout.number_of_halfedges(); ++h)
-    if (layout.is_on_separatrix(Quad_layout::edge(h)) && layout.valence(layout.source(h)) == 4) {
+    if (layout.is_on_separatrix(Quad_layout::edge(h)) && layout.valence(layout.source(h)) == 4 &&
+        !layout.is_on_border(layout.source(h))) {
       const int straight_on = layout.turn_left(layout.turn_left(h));
       result += !layout.is_on_separatrix(Quad_layout::edge(straight_on));
     }
@@ -83,9 +84,9 @@ inline Quad_layout_measures measure_quad_layout(const Quad_layout& layout)
   for (int v = 0; v < layout.number_of_vertices(); ++v) {
     const int valence = layout.valence(v);
     ++result.valences[valence];
-    if (valence != 4) {
+    if (!layout.is_regular(v)) {
       ++result.irregular_vertices;
-      corners += valence;
+      corners += layout.is_on_border(v) ? valence - 1 : valence;
     }
   }
   result.patches_floor = (corners + 3) / 4;

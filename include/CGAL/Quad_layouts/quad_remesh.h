@@ -57,7 +57,7 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Na
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-computes a simple quad layout of a closed triangle mesh: few four-sided patches, without T-joints.
+computes a simple quad layout of a triangle mesh: few four-sided patches, without T-joints.
 
 It runs `compute_cross_field()`, `trace_motorcycle_graph()`, `quantize()` and
 `extract_quad_layout()`, and passes `np` to each of them. The layout is appended to `out` as a mesh
@@ -96,7 +96,7 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-remeshes a closed triangle mesh with quadrilaterals, on a simple quad layout.
+remeshes a triangle mesh with quadrilaterals, on a simple quad layout.
 
 It runs all stages, from `compute_cross_field()` to `smooth_quad_mesh()`, and passes `np` to each of
 them.

@@ -64,22 +64,23 @@ Monitor monitor_from(const NamedParameters& np, const OtherParameters& other)
 moves the vertices of a quad mesh on a surface, so that its quads get closer to rectangles.
 
 All vertices move, irregular ones too: this is the step that carries the singularities of a layout
-to better places (\cgalCite{lck-sqlrs-21}, Section 5). First the vertices are put on the surface.
-Then they are moved to weighted means of their neighbours, where edges count more the longer they
-are and the more the surface bends along them. At last the quads' angles are optimized, by Newton
-steps for one vertex at a time. A move that would turn a quad inside out, or over by more than 60
-degrees against the surface, is not made. Quads that are inverted all the same, or oppose the
-triangles nearest to their centres, are untangled at the end, each group with as much of its
-surroundings as it takes, if need be from random places (always the same); so are quads of a low
-scaled Jacobian. Vertices follow the surface continuously, from triangle to triangle, and so never
-jump between the two sides of a thin part.
+to better places (\cgalCite{lck-sqlrs-21}, Section 5). Only irregular vertices on the border stay
+where they are; regular ones there slide along the border of the surface. First the vertices are put
+on the surface. Then they are moved to weighted means of their neighbours, where edges count more
+the longer they are and the more the surface bends along them. At last the quads' angles are
+optimized, by Newton steps for one vertex at a time. A move that would turn a quad inside out, or
+over by more than 60 degrees against the surface, is not made. Quads that are inverted all the same,
+or oppose the triangles nearest to their centres, are untangled at the end, each group with as much
+of its surroundings as it takes, if need be from random places (always the same); so are quads of a
+low scaled Jacobian. Vertices follow the surface continuously, from triangle to triangle, and so
+never jump between the two sides of a thin part.
 
 \tparam QuadMesh a model of `FaceListGraph`
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam NamedParametersQuads a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam NamedParametersSurface a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param quads the quad mesh; vertices on its border stay where they are
+\param quads the quad mesh
 \param surface the surface, which `quads` should already lie close to
 \param np_quads an optional sequence of \ref bgl_namedparameters "Named Parameters" among those
 listed below

@@ -45,6 +45,9 @@ trace that they meet, as in a motorcycle graph. So quantizations can keep all si
 unless that is not enough: to a single pair of valence 3 and 5 on a torus, for instance, no quad mesh
 belongs (\cgalCite{ikrss-ntt-13}).
 
+The border is made of traces, too. Motorcycles that get there stop. A border without corners gets a
+seed.
+
 Where the field turns too fast for its triangles, the index of a singularity may appear at a
 neighbor of its vertex, and vertices at which no line would start (index 4 and more) share their
 index with their neighbors. The indices in the T-mesh are those that the traces obey; their sum is
@@ -81,8 +84,6 @@ four times the Euler characteristic.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre The surface of `field` is closed.
-
 \throw Invalid_parameter if a parameter is out of its range.
 \throw Stage_failure if the result is not a partition into discs with four corners; this is
        always checked.
@@ -96,8 +97,6 @@ T_mesh trace_motorcycle_graph(const Cross_field& field,
                               const NamedParameters& np = parameters::default_values())
 {
   const internal::Deviation_limits limits = internal::deviation_limits(field.surface(), np);
-  CGAL_precondition(field.surface().is_closed());
-
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("trace_motorcycle_graph", [&] {
     return internal::trace_in_field(field, limits.tangent, limits.displacement, monitor);

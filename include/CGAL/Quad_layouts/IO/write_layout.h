@@ -104,7 +104,8 @@ bool write_layout_curves(std::ostream& out, const QuadMesh& quads, const NodeMap
     for (;;) {
       put(written, edge(h, quads), true);
       write_point(target(h, quads));
-      const Halfedge ahead = next(opposite(next(h, quads), quads), quads);
+      const Halfedge right = next(h, quads);
+      const Halfedge ahead = is_border(h, quads) ? right : next(opposite(right, quads), quads);
       if (get(is_node, target(h, quads)) || get(written, edge(ahead, quads)))
         break;
       h = ahead;

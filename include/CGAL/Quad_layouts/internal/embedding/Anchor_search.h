@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/Integer_grid_map.h>
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_Line_tracer.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/extract_starts.h>
 
 #include <queue>
 #include <utility>
@@ -55,7 +56,11 @@ public:
 private:
   bool anchor_component(const Cone_place& cone)
   {
-    Map_heading heading = some_heading(m_map.surface().halfedge(cone.surface_vertex));
+    const int corner = m_map.surface().halfedge(cone.surface_vertex);
+    if (m_layout.is_on_border(cone.layout_vertex))
+      return is_consistent(cone.layout_vertex,
+                           {Triangle_surface::face(corner), m_map.coordinates(corner), 0});
+    Map_heading heading = some_heading(corner);
     for (int k = 0; k < m_layout.valence(cone.layout_vertex); ++k) {
       if (heading.is_valid() && is_consistent(cone.layout_vertex, heading))
         return true;
@@ -74,8 +79,8 @@ private:
     return heading;
   }
 
-  // tries `heading` for the first halfedge of v; undoes everything if some edge does not arrive
-  // where it should
+  // tries `heading` for the first halfedge of v, or, on the border, whatever is there; undoes
+  // everything if some edge does not arrive where it should
   bool is_consistent(int v, const Map_heading& heading)
   {
     std::vector<int> reached;
@@ -92,21 +97,19 @@ private:
     return good;
   }
 
-  // sets the starts of all halfedges around the source of h, `heading` being that of h
-  bool set_starts(int h, Map_heading heading, std::vector<int>& reached, std::queue<int>& queue)
+  // sets the starts of all halfedges around the source of h, `heading` being that of h, or a place on
+  // the border
+  bool set_starts(int h, const Map_heading& heading, std::vector<int>& reached,
+                  std::queue<int>& queue)
   {
-    int g = h;
-    const Map_heading first = heading;
-    do {
-      if (!heading.is_valid())
-        return false;
-      m_start[g] = heading;
+    const auto note = [&](int g) {
       reached.push_back(g);
       queue.push(g);
-      g = m_layout.turn_left(g);
-      heading = m_lines.entered(heading.turned(1));
-    } while (g != h);
-    return heading == first;
+    };
+    const int v = m_layout.source(h);
+    return m_layout.is_on_border(v)
+               ? set_starts_on_border(m_lines, m_layout, v, heading, m_start, note)
+               : set_starts_inside(m_lines, m_layout, h, heading, m_start, note);
   }
 
   bool follow(int h, std::vector<int>& reached, std::queue<int>& queue)
@@ -115,10 +118,22 @@ private:
     const std::vector<Map_heading> stops = m_lines.follow(m_start[h], {length});
     if (stops.empty() || !is_at(stops.back(), m_layout.target(h)))
       return false;
-    const Map_heading back = m_lines.entered(stops.back().turned(2));
     const int twin = Quad_layout::opposite(h);
+    if (m_layout.is_on_border(m_layout.target(h)))
+      return arrives_on_border(twin, stops.back(), reached, queue);
+    const Map_heading back = m_lines.entered(stops.back().turned(2));
     return m_start[twin].is_valid() ? back == m_start[twin]
                                     : set_starts(twin, back, reached, queue);
+  }
+
+  bool arrives_on_border(int twin, const Map_heading& end, std::vector<int>& reached,
+                         std::queue<int>& queue)
+  {
+    const int first = m_layout.halfedge_from(m_layout.source(twin));
+    if (!m_start[first].is_valid() && !set_starts(first, end, reached, queue))
+      return false;
+    return m_lines.along_border(end) == m_start[first] &&
+           (m_layout.is_border(twin) || m_lines.entered(end.turned(2)) == m_start[twin]);
   }
 
   // whether a cone, if that is what layout vertex v is, lies where a line has arrived
@@ -137,6 +152,8 @@ private:
     const int first = m_layout.halfedge_from(cone.layout_vertex);
     int h = first;
     do {
+      if (m_layout.is_border(h))
+        break;
       int corner = 3 * m_start[h].face;
       while (m_map.surface().source(corner) != cone.surface_vertex)
         ++corner;

@@ -20,7 +20,9 @@ namespace internal {
 
 // A triangle mesh with curves along its edges, which can be split and collapsed.
 //
-// Halfedges are numbered as in Triangle_surface. New vertices and faces are appended. When a
+// Halfedges are numbered as in Triangle_surface. Beyond the border there are *outer* triangles, each
+// of which joins an edge of the border to one vertex at infinity: so all edges have two halfedges,
+// and the structure is closed. New vertices and faces are appended. When a
 // halfedge is split, those that leave its source keep their numbers. What collapses remove stays in
 // the arrays, without connections, until `compact()`.
 class Curve_mesh
@@ -36,6 +38,7 @@ public:
     }
     for (int v = 0; v < surface.number_of_vertices(); ++v)
       m_vertex_halfedge.push_back(surface.halfedge(v));
+    add_outer_triangles(surface);
   }
 
   static int next(int h) { return Triangle_surface::next(h); }
@@ -46,18 +49,42 @@ public:
   int target(int h) const { return m_source[next(h)]; }
   int opposite(int h) const { return m_opposite[h]; }
 
+  // the vertex at infinity, -1 if there is none
+  int infinite_vertex() const { return m_infinite_vertex; }
+  // whether h is a side of an outer triangle
+  bool is_outer(int h) const
+  {
+    return m_infinite_vertex >= 0 &&
+           (m_source[h] == m_infinite_vertex || target(h) == m_infinite_vertex ||
+            m_source[prev(h)] == m_infinite_vertex);
+  }
+  bool is_border_edge(int h) const { return is_outer(h) != is_outer(m_opposite[h]); }
+
   bool is_removed(int v) const { return m_vertex_halfedge[v] < 0; }
 
-  // calls `visit` for the halfedges that leave v, counter-clockwise
+  // calls `visit` for the halfedges that leave v, except that to infinity, counter-clockwise
   template <class Visit>
   void for_each_outgoing(int v, Visit&& visit) const
   {
     int h = m_vertex_halfedge[v];
     if (h >= 0)
       do {
-        visit(h);
+        if (target(h) != m_infinite_vertex)
+          visit(h);
         h = m_opposite[prev(h)];
-      } while (h != m_vertex_halfedge[v]);
+      } while (h >= 0 && h != m_vertex_halfedge[v]);
+  }
+
+  // the halfedge on the border that leaves v, with the surface on its left; -1 if v is not on the
+  // border
+  int border_halfedge_from(int v) const
+  {
+    int result = -1;
+    for_each_outgoing(v, [&](int h) {
+      if (!is_outer(h) && is_outer(m_opposite[h]))
+        result = h;
+    });
+    return result;
   }
 
   std::vector<int> outgoing(int v) const
@@ -78,11 +105,13 @@ public:
     return result;
   }
 
+  // without the outer ones
   std::vector<std::array<int, 3>> triangles() const
   {
     std::vector<std::array<int, 3>> result;
     for (int h = 0; h < number_of_halfedges(); h += 3)
-      result.push_back({m_source[h], m_source[h + 1], m_source[h + 2]});
+      if (!is_outer(h))
+        result.push_back({m_source[h], m_source[h + 1], m_source[h + 2]});
     return result;
   }
 
@@ -119,20 +148,22 @@ public:
       }
   }
 
-  // gives new numbers, in the old order, to the vertices and faces that are left; returns the new
-  // numbers of the vertices, -1 for removed ones
+  // Gives new numbers, in the old order, to the vertices and faces that are left, without those
+  // beyond the border: from now on, the opposite of a halfedge on the border is -1. Returns the new
+  // numbers of the vertices, -1 for removed ones.
   std::vector<int> compact()
   {
     std::vector<int> new_vertex(points.size(), -1), new_halfedge(m_source.size(), -1);
     int vertices = 0, halfedges = 0;
     for (int v = 0; v < int(points.size()); ++v)
-      if (!is_removed(v)) {
+      if (!is_removed(v) && v != m_infinite_vertex) {
+        const int on_border = border_halfedge_from(v);
         new_vertex[v] = vertices++;
         points[new_vertex[v]] = points[v];
-        m_vertex_halfedge[new_vertex[v]] = m_vertex_halfedge[v];
+        m_vertex_halfedge[new_vertex[v]] = on_border < 0 ? m_vertex_halfedge[v] : on_border;
       }
     for (int h = 0; h < number_of_halfedges(); ++h)
-      if (m_source[h] >= 0)
+      if (m_source[h] >= 0 && !is_outer(h))
         new_halfedge[h] = halfedges++;
     for (int h = 0; h < number_of_halfedges(); ++h)
       if (const int g = new_halfedge[h]; g >= 0) {
@@ -141,6 +172,7 @@ public:
         curve[g] = curve[h];
         is_original[g] = is_original[h];
       }
+    m_infinite_vertex = -1;
     points.resize(vertices);
     m_vertex_halfedge.resize(vertices);
     for (int& h : m_vertex_halfedge)
@@ -157,6 +189,33 @@ public:
   std::vector<char> is_original; // per halfedge: whether it is part of an edge of the surface
 
 private:
+  void add_outer_triangles(const Triangle_surface& surface)
+  {
+    std::vector<int> outer(surface.number_of_halfedges(), -1);
+    for (int h = 0; h < surface.number_of_halfedges(); ++h)
+      if (surface.is_border(h)) {
+        if (m_infinite_vertex < 0)
+          add_infinite_vertex();
+        outer[h] = number_of_halfedges();
+        m_source.insert(m_source.end(), {surface.target(h), surface.source(h), m_infinite_vertex});
+        m_opposite.insert(m_opposite.end(), 3, -1);
+        curve.insert(curve.end(), 3, -1);
+        is_original.insert(is_original.end(), 3, 0);
+        glue(h, outer[h]);
+        m_vertex_halfedge[m_infinite_vertex] = outer[h] + 2;
+      }
+    for (int h = 0; h < surface.number_of_halfedges(); ++h)
+      if (surface.is_border(h))
+        glue(outer[h] + 1, outer[surface.border_halfedge_to(surface.source(h))] + 2);
+  }
+
+  void add_infinite_vertex()
+  {
+    m_infinite_vertex = int(points.size());
+    points.emplace_back(0, 0, 0);
+    m_vertex_halfedge.push_back(-1);
+  }
+
   // Cuts the face of h from a new vertex m on h to the opposite corner. The part at the target of h
   // becomes a new face, or that at the source if `keep_target`. Returns the half of h that is in
   // the new face.
@@ -204,6 +263,7 @@ private:
   }
 
   std::vector<int> m_source, m_opposite, m_vertex_halfedge;
+  int m_infinite_vertex = -1;
 };
 
 } // namespace internal

@@ -61,7 +61,7 @@ private:
 
   const Curve_mesh& mesh() const { return m_overlay.mesh(); }
   const Quad_layout::Grid& grid(int p) const { return m_overlay.layout().grids[p]; }
-  bool has_lines(int p) const { return grid(p).width > 1 || grid(p).height > 1; }
+  bool has_lines(int p) const { return p >= 0 && (grid(p).width > 1 || grid(p).height > 1); }
 
   void detach_boundaries()
   {

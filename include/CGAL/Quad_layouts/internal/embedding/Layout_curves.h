@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <string>
 #include <utility>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -31,7 +32,8 @@ namespace internal {
 //
 // Away from the preimages of the layout vertices, a layout edge follows one of the arcs that are
 // mapped to it. The preimage of a layout vertex has a neighbourhood that is a disc: inside, the
-// edges go to one vertex in the middle. That is always possible, because paths to a common point
+// edges go to one vertex in the middle, which is on the border if the disc is at the border; then the
+// edges on the border come first and stay there. That is always possible, because paths to a common point
 // never separate a disc into parts that are out of its reach, as long as the mesh has room beside
 // them: which splits make.
 class Layout_curves
@@ -44,7 +46,7 @@ public:
     Grid_lines(overlay, monitor);
     m_owner = preimages(overlay);
     separate_preimages(overlay);
-    choose_vertices();
+    choose_vertices(overlay.mesh());
     std::vector<int> curves = chosen_curves(overlay);
     m_mesh = overlay.release_mesh();
     m_mesh.curve = std::move(curves);
@@ -67,22 +69,27 @@ private:
   enum Place : char { OUTSIDE, INSIDE, RIM, PATH };
 
   // A node that is a singularity is preferred, and must be where the layout vertex is irregular.
-  void choose_vertices()
+  // Those of the layout on the border must be on the border.
+  void choose_vertices(const Curve_mesh& mesh)
   {
     m_vertex.assign(m_layout.number_of_vertices(), -1);
     for (int v = int(m_owner.size()) - 1; v >= 0; --v)
-      if (m_owner[v] >= 0)
+      if (m_owner[v] >= 0 &&
+          (!m_layout.is_on_border(m_owner[v]) || mesh.border_halfedge_from(v) >= 0))
         m_vertex[m_owner[v]] = v;
     for (const Quad_layout::Cluster& c : m_layout.clusters) {
-      const int node = *std::max_element(c.nodes.begin(), c.nodes.end(), [&](int m, int n) {
-        return std::abs(m_t_mesh.index(m)) < std::abs(m_t_mesh.index(n));
-      });
-      m_vertex[c.vertex] = m_t_mesh.surface_vertex(node);
+      const auto rank = [&](int n) {
+        return std::make_pair(m_t_mesh.is_on_border(n), std::abs(m_t_mesh.index(n)));
+      };
+      const int node = *std::max_element(c.nodes.begin(), c.nodes.end(),
+                                         [&](int m, int n) { return rank(m) < rank(n); });
+      if (m_t_mesh.is_on_border(node) == m_layout.is_on_border(c.vertex))
+        m_vertex[c.vertex] = m_t_mesh.surface_vertex(node);
     }
   }
 
   // Per halfedge of the mesh the layout halfedge whose curve it is to be part of, or -1. Of all
-  // arcs that are mapped to a layout edge, the longest is chosen.
+  // arcs that are mapped to a layout edge, the longest is chosen, or the one on the border.
   std::vector<int> chosen_curves(const Quantized_overlay& overlay) const
   {
     using Unit = std::pair<int, int>; // arc, number along the arc
@@ -91,7 +98,10 @@ private:
       const std::vector<int>& path = m_layout.arc_halfedges[a];
       for (int i = 0; i < int(path.size()); ++i) {
         auto& unit = longest[path[i] / 2];
-        unit = (std::max)(unit, {m_t_mesh.length(a) / double(path.size()), {a, i}});
+        const double length = m_t_mesh.is_border_edge(a)
+                                  ? (std::numeric_limits<double>::infinity)()
+                                  : m_t_mesh.length(a) / double(path.size());
+        unit = (std::max)(unit, {length, {a, i}});
       }
     }
     std::vector<int> result(overlay.mesh().number_of_halfedges(), -1);
@@ -161,30 +171,49 @@ private:
     m_place[m_vertex[v]] = PATH;
     make_room({m_vertex[v]});
     const int first = m_layout.halfedge_from(v);
-    int l = first;
-    do {
-      const std::vector<int> path = path_to(m_vertex[v], m_exit[l], v);
-      std::vector<int> vertices{m_vertex[v]};
-      for (const int h : path) {
-        m_mesh.curve[h] = l;
-        m_mesh.curve[m_mesh.opposite(h)] = l ^ 1;
-        vertices.push_back(m_mesh.target(h));
-        m_place[vertices.back()] = PATH;
-      }
-      make_room(vertices);
-      l = m_layout.turn_left(l);
-    } while (l != first);
+    const auto for_each_edge = [&](const auto& action) {
+      int l = first;
+      do {
+        action(l);
+        l = m_layout.turn_left(l);
+      } while (l != first);
+    };
+    if (m_layout.is_on_border(v))
+      for_each_edge([&](int l) {
+        if (m_layout.is_border_edge(Quad_layout::edge(l)))
+          connect(v, l);
+      });
+    for_each_edge([&](int l) {
+      if (!m_layout.is_border_edge(Quad_layout::edge(l)))
+        connect(v, l);
+    });
   }
 
-  // the halfedges of a shortest path through free vertices of the disc
-  std::vector<int> path_to(int from, int to, int v)
+  // leads layout halfedge l, which begins at v, from the rim to the middle
+  void connect(int v, int l)
+  {
+    const bool on_border = m_layout.is_border_edge(Quad_layout::edge(l));
+    std::vector<int> vertices{m_vertex[v]};
+    for (const int h : path_to(m_vertex[v], m_exit[l], v, on_border)) {
+      m_mesh.curve[h] = l;
+      m_mesh.curve[m_mesh.opposite(h)] = l ^ 1;
+      vertices.push_back(m_mesh.target(h));
+      m_place[vertices.back()] = PATH;
+    }
+    make_room(vertices);
+  }
+
+  // the halfedges of a shortest path through free vertices of the disc, along the border only if
+  // `on_border`
+  std::vector<int> path_to(int from, int to, int v, bool on_border)
   {
     m_reached_by.resize(m_place.size(), -1);
     std::vector<int> queue{from}, path;
     for (std::size_t i = 0; i < queue.size(); ++i)
       for (const int h : m_mesh.outgoing(queue[i]))
         if (const int w = m_mesh.target(h);
-            m_reached_by[w] < 0 && (w == to || (is_inside(w) && m_owner[w] == v))) {
+            m_reached_by[w] < 0 && (w == to || (is_inside(w) && m_owner[w] == v)) &&
+            (!on_border || m_mesh.is_border_edge(h))) {
           m_reached_by[w] = h;
           queue.push_back(w);
         }

@@ -45,10 +45,10 @@ inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vect
   std::vector<Cone> cones;
   const auto hold = [&](int v) {
     has_cone[component.find_set(v)] = 1;
-    cones.push_back({place[v], 4 - layout.valence(v), v});
+    cones.push_back({place[v], layout.index(v), v});
   };
   for (int v = 0; v < n; ++v)
-    if (layout.valence(v) != 4)
+    if (!layout.is_regular(v))
       hold(v);
   for (int v = 0; v < n; ++v)
     if (!has_cone[component.find_set(v)])

@@ -44,10 +44,16 @@ public:
     return m_start[h] + Chart_change::turned(Point2(fraction * length, 0), m_direction[h]);
   }
 
-  // the change from the chart of the face of h to that on the other side; none if h is -1
+  // that of h in the chart of its face, in quarter-turns from +x
+  int direction(int h) const { return m_direction[h]; }
+
+  bool is_border(int h) const { return m_layout.is_border(h); }
+
+  // the change from the chart of the face of h to that on the other side; none if h is -1 or there
+  // is no other side
   Chart_change across(int h) const
   {
-    if (h < 0)
+    if (h < 0 || is_border(Quad_layout::opposite(h)))
       return {};
     const int twin = Quad_layout::opposite(h), turns = (m_direction[twin] + 2 - m_direction[h]) & 3;
     return {turns, point(twin, 1) - Chart_change::turned(m_start[h], turns)};

@@ -23,14 +23,19 @@ namespace internal {
 
 // A map of triangles to the plane, by charts: the unknowns are the coordinates of each vertex in a
 // chart of its own; `chart` of a corner leads from there to the chart of its face.
+//
+// Vertices on the border move along one axis of their charts, the line that the border is mapped to.
 struct Map
 {
+  enum Freedom : char { FREE, ALONG_X, ALONG_Y };
+
   struct Face
   {
     std::array<int, 3> vertex;
     std::array<Chart_change, 3> chart;
     std::array<int, 3>
         curve; // per side, that from corner k to k + 1 first: what it runs along, or -1
+    std::array<char, 3> is_border; // per side: no face is behind it
 
     int corner_of(int v) const { return vertex[0] == v ? 0 : vertex[1] == v ? 1 : 2; }
     bool has(int v) const { return vertex[0] == v || vertex[1] == v || vertex[2] == v; }
@@ -39,6 +44,7 @@ struct Map
   std::vector<Point> points; // per vertex, on the surface, in units of the edges of the quad mesh
   std::vector<Face> faces;
   std::vector<Point2> coordinates; // per vertex, in its own chart
+  std::vector<Freedom> freedom;    // per vertex
 
   Point2 corner(const Face& f, int k) const { return f.chart[k](coordinates[f.vertex[k]]); }
 
@@ -66,13 +72,16 @@ inline Map make_map(const Curve_mesh& mesh, const Layout_squares& squares,
 {
   Map map;
   map.coordinates.assign(mesh.points.size(), Point2(0, 0));
+  map.freedom.assign(mesh.points.size(), Map::FREE);
   for (const Point& p : mesh.points)
     map.points.push_back(p / unit);
   for (const auto& t : mesh.triangles())
-    map.faces.push_back({t, {}, {-1, -1, -1}});
+    map.faces.push_back({t, {}, {-1, -1, -1}, {0, 0, 0}});
   const auto is_on_curve = [&](int h) { return mesh.curve[h] >= 0; };
-  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
     map.faces[h / 3].curve[h % 3] = mesh.curve[h];
+    map.faces[h / 3].is_border[h % 3] = mesh.opposite(h) < 0;
+  }
   for (int v = 0; v < int(mesh.points.size()); ++v) {
     std::vector<int> around = mesh.outgoing(v);
     if (is_cone[v]) // where curves begin, their squares tell the place
@@ -85,7 +94,12 @@ inline Map make_map(const Curve_mesh& mesh, const Layout_squares& squares,
       map.faces[h / 3].chart[h % 3] = chart;
       chart = squares.across(mesh.curve[Curve_mesh::prev(h)]).after(chart);
     }
-    CGAL_assertion(is_cone[v] || (chart.quarter_turns == 0 && chart.translation.isZero(0)));
+    const bool on_border = !around.empty() && mesh.opposite(around.front()) < 0;
+    if (on_border) // the chart is that of the face at the beginning
+      map.freedom[v] = squares.direction(mesh.curve[around.front()]) % 2 == 0 ? Map::ALONG_X
+                                                                              : Map::ALONG_Y;
+    CGAL_assertion(is_cone[v] || on_border ||
+                   (chart.quarter_turns == 0 && chart.translation.isZero(0)));
   }
   return map;
 }

@@ -37,8 +37,11 @@ public:
       m_rest.emplace_back(map.points[f.vertex[0]], map.points[f.vertex[1]], map.points[f.vertex[2]],
                           aspect);
       for (const int v : f.vertex)
-        if (!is_fixed[v] && m_unknown[v] < 0)
+        if (!is_fixed[v] && m_unknown[v] < 0) {
           m_unknown[v] = m_number_of_unknowns++;
+          m_is_locked.push_back(map.freedom[v] == Map::ALONG_Y);
+          m_is_locked.push_back(map.freedom[v] == Map::ALONG_X);
+        }
     }
   }
 
@@ -132,9 +135,12 @@ private:
     m_gradient = Eigen::VectorXd::Zero(n);
     m_entries.clear();
     for (int i = 0; i < n; ++i)
-      m_entries.emplace_back(i, i, 1e-10);
+      m_entries.emplace_back(i, i, m_is_locked[i] ? 1 : 1e-10);
     for (std::size_t f = 0; f < m_map.faces.size(); ++f)
       add_face(f);
+    for (int i = 0; i < n; ++i)
+      if (m_is_locked[i])
+        m_gradient[i] = 0;
     m_hessian.resize(n, n);
     m_hessian.setFromTriplets(m_entries.begin(), m_entries.end());
   }
@@ -185,7 +191,8 @@ private:
     const Eigen::Matrix2d turned = rotation(row_turns).transpose() * b * rotation(column_turns);
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
-        m_entries.emplace_back(row + i, column + j, turned(i, j));
+        if (!m_is_locked[row + i] && !m_is_locked[column + j])
+          m_entries.emplace_back(row + i, column + j, turned(i, j));
   }
 
   Point2 move_of(int v, const Eigen::VectorXd& move) const
@@ -202,6 +209,7 @@ private:
   Map& m_map;
   std::vector<int> m_unknown; // per vertex, -1 if fixed
   int m_number_of_unknowns = 0;
+  std::vector<char> m_is_locked; // per coordinate of the unknowns: whether it does not change
   std::vector<Rest_shape> m_rest;
   Eigen::VectorXd m_gradient;
   Eigen::SparseMatrix<double> m_hessian; // its lower half

@@ -23,7 +23,8 @@ namespace internal {
 // edges, and every triangle lies in one triangle of the surface and in one patch.
 //
 // Only the order of crossings along edges and of edges around vertices is used: the pieces are the
-// faces of that rotation system. Pieces with more than three sides get a vertex inside.
+// faces of that rotation system, without those outside of the border. Pieces with more than three
+// sides get a vertex inside.
 class Overlay
 {
 public:
@@ -42,6 +43,7 @@ public:
     order_around_crossings();
     order_around_nodes();
     order_around_surface_vertices();
+    place_on_border_arcs();
     for (int v = 0; v < int(m_outgoing.size()); ++v)
       for (int i = 0; i < int(m_outgoing[v].size()); ++i) {
         m_half[m_outgoing[v][i]].source = v;
@@ -80,8 +82,11 @@ private:
         points.push_back((1 - t) * m_surface.point(m_surface.source(h)) +
                          t * m_surface.point(m_surface.target(h)));
     }
+    m_node_vertex = m_t_mesh.node_surface_vertex;
+    for (int e = 0; e < m_surface.number_of_edges(); ++e)
+      for (int i = 0; i < number_of_crossings(e) && !m_t_mesh.edge_arcs[e].empty(); ++i)
+        m_node_vertex[m_t_mesh.target(m_t_mesh.edge_arcs[e][i])] = m_first_crossing[e] + i;
     for (int n = 0; n < m_t_mesh.number_of_vertices(); ++n) {
-      m_node_vertex.push_back(m_t_mesh.surface_vertex(n));
       if (m_node_vertex[n] < 0) {
         m_node_vertex[n] = int(points.size());
         points.push_back(m_t_mesh.point(n));
@@ -90,8 +95,11 @@ private:
     m_outgoing.resize(points.size());
   }
 
-  int number_of_crossings(int e) const { return int(m_t_mesh.edge_crossings[e].size()); }
+  // arcs that cross an edge, or end on it
+  int number_of_crossings(int e) const { return int(m_t_mesh.crossing_parameters[e].size()); }
+  // of an arc that does not run along edges
   int number_of_pieces(int arc) const { return int(m_t_mesh.arc_crossings[arc].size()) + 1; }
+  bool runs_along_edges(int arc) const { return !m_halves_along[arc].empty(); }
 
   void number_halves()
   {
@@ -101,16 +109,44 @@ private:
       n += 2 * (number_of_crossings(e) + 1);
     }
     const int number_of_originals = n;
+    find_halves_along_arcs();
     for (int a = 0; a < m_t_mesh.number_of_edges(); ++a) {
       m_first_of_arc.push_back(n);
-      n += 2 * number_of_pieces(a);
+      n += runs_along_edges(a) ? 0 : 2 * number_of_pieces(a);
     }
     m_half.resize(n);
     for (int h = 0; h < number_of_originals; ++h)
       m_half[h].is_original = true;
-    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
-      for (int i = 0; i < 2 * number_of_pieces(a); ++i)
+    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a) {
+      for (int i = 0; i < 2 * number_of_pieces(a) && !runs_along_edges(a); ++i)
         m_half[m_first_of_arc[a] + i].arc_halfedge = 2 * a + i % 2;
+      for (const int h : m_halves_along[a]) {
+        m_half[h].arc_halfedge = 2 * a;
+        m_half[h ^ 1].arc_halfedge = 2 * a + 1;
+      }
+    }
+  }
+
+  // The arcs on a border are met in order on the way along it, from a vertex where one begins.
+  void find_halves_along_arcs()
+  {
+    m_halves_along.resize(m_t_mesh.number_of_edges());
+    m_node_of_surface_vertex.assign(m_surface.number_of_vertices(), -1);
+    for (int n = 0; n < m_t_mesh.number_of_vertices(); ++n)
+      if (m_t_mesh.surface_vertex(n) >= 0)
+        m_node_of_surface_vertex[m_t_mesh.surface_vertex(n)] = n;
+    for (int n = 0; n < m_t_mesh.number_of_vertices(); ++n) {
+      int v = m_t_mesh.surface_vertex(n);
+      if (v < 0 || !m_surface.is_on_border(v))
+        continue;
+      do {
+        const int h = m_surface.halfedge(v), e = m_surface.edge(h);
+        for (std::size_t i = 0; i < m_t_mesh.edge_arcs[e].size(); ++i)
+          m_halves_along[T_mesh::edge(m_t_mesh.edge_arcs[e][i])].push_back(m_first_of_edge[e] +
+                                                                           2 * int(i));
+        v = m_surface.target(h);
+      } while (m_node_of_surface_vertex[v] < 0);
+    }
   }
 
   // the first piece of a halfedge of the surface
@@ -123,6 +159,8 @@ private:
   // the first piece of a halfedge of the T-mesh
   int first_half_of_arc(int h) const
   {
+    if (runs_along_edges(h / 2))
+      return h % 2 == 0 ? m_halves_along[h / 2].front() : m_halves_along[h / 2].back() ^ 1;
     return h % 2 == 0 ? m_first_of_arc[h / 2]
                       : m_first_of_arc[h / 2] + 2 * number_of_pieces(h / 2) - 1;
   }
@@ -179,6 +217,10 @@ private:
         if (!m_t_mesh.corner_arcs[h].empty())
           last_arc = m_t_mesh.corner_arcs[h].back();
       });
+      if (m_surface.is_on_border(v))
+        last_arc = m_node_of_surface_vertex[v] < 0
+                       ? -1
+                       : m_t_mesh.halfedge_from(m_node_of_surface_vertex[v]);
       m_surface.for_each_outgoing(v, [&](int h) {
         m_outgoing[v].push_back(first_half(h));
         m_half[first_half(h)].place = {last_arc, 0.};
@@ -187,7 +229,19 @@ private:
           last_arc = arc;
         }
       });
+      if (m_surface.is_on_border(v)) {
+        const int e = m_surface.edge(m_surface.border_halfedge_to(v));
+        m_outgoing[v].push_back(m_first_of_edge[e] + 2 * number_of_crossings(e) + 1);
+      }
     }
+  }
+
+  // of the vertices of the surface that lie inside of arcs
+  void place_on_border_arcs()
+  {
+    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
+      for (std::size_t i = 1; i < m_halves_along[a].size(); ++i)
+        m_half[m_halves_along[a][i]].place = {2 * a, double(i) / double(m_halves_along[a].size())};
   }
 
   // pieces lie on the left: what arrives goes on along the next one clockwise
@@ -245,7 +299,13 @@ private:
 
   void triangulate()
   {
+    std::vector<char> is_outside(m_first_half.size(), 0);
+    for (const std::vector<int>& halves : m_halves_along)
+      for (const int h : halves)
+        is_outside[m_half[h ^ 1].piece] = 1;
     for (int p = 0; p < int(m_first_half.size()); ++p) {
+      if (is_outside[p])
+        continue;
       std::vector<int> halves;
       for_each_half(p, [&](int h) { halves.push_back(h); });
       if (halves.size() == 3)
@@ -293,6 +353,8 @@ private:
   const T_mesh& m_t_mesh;
   const Triangle_surface& m_surface;
   std::vector<int> m_first_crossing, m_node_vertex, m_first_of_edge, m_first_of_arc;
+  std::vector<int> m_node_of_surface_vertex;
+  std::vector<std::vector<int>> m_halves_along; // per arc that runs along edges, in its direction
   std::vector<std::vector<int>> m_outgoing; // per vertex, counter-clockwise
   std::vector<Half> m_half;
   std::vector<int> m_first_half, m_patch; // per piece

@@ -37,6 +37,8 @@ public:
     std::fill_n(m_is_held.begin(), number_of_originals, 1);
     for (const int v : embedded.vertices)
       m_is_held[v] = 1;
+    if (m_mesh.infinite_vertex() >= 0)
+      m_is_held[m_mesh.infinite_vertex()] = 1;
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_mesh.curve[h] >= 0)
         m_on_curve[m_mesh.source(h)] = 1;
@@ -68,6 +70,8 @@ private:
     m_mesh.for_each_outgoing(u, [&](int h) {
       if (is_line(h))
         m_lines.push_back(h);
+      if (m_mesh.is_outer(h))
+        return;
       const auto [a, b] = others(h);
       m_normal += triangle_normal(m_mesh.points[u], a, b);
     });
@@ -115,7 +119,7 @@ private:
     const int u = m_mesh.source(h), v = m_mesh.target(h);
     m_mesh.for_each_outgoing(u, [&](int g) {
       const int end = Curve_mesh::prev(g);
-      if (m_mesh.target(g) == v || m_mesh.source(end) == v)
+      if (m_mesh.target(g) == v || m_mesh.source(end) == v || m_mesh.is_outer(g))
         return;
       const auto [a, b] = others(g);
       const Point n = triangle_normal(m_mesh.points[v], a, b);
@@ -133,7 +137,7 @@ private:
     return {m_mesh.points[m_mesh.target(g)], m_mesh.points[m_mesh.source(Curve_mesh::prev(g))]};
   }
 
-  // the link condition
+  // the link condition; neighbours on the border have the vertex at infinity in common
   bool keeps_manifold(int h)
   {
     const int u = m_mesh.source(h), v = m_mesh.target(h);
@@ -141,7 +145,9 @@ private:
     m_mesh.for_each_outgoing(u, [&](int g) { m_seen_from[m_mesh.target(g)] = u; });
     m_mesh.for_each_outgoing(v, [&](int g) { common += m_seen_from[m_mesh.target(g)] == u; });
     m_mesh.for_each_outgoing(u, [&](int g) { m_seen_from[m_mesh.target(g)] = -1; });
-    return common == 2;
+    const bool on_border = m_mesh.border_halfedge_from(u) >= 0 &&
+                           m_mesh.border_halfedge_from(v) >= 0;
+    return common + on_border == 2;
   }
 
   // whether a new edge would join two curves

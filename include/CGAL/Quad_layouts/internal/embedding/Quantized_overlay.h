@@ -34,9 +34,10 @@ public:
   {
     Overlay overlay(t_mesh);
     m_mesh = Curve_mesh(Triangle_surface(overlay.points, overlay.triangles));
-    m_mesh.curve = std::move(overlay.arc_halfedge);
-    m_mesh.is_original = std::move(overlay.is_original);
+    std::copy(overlay.arc_halfedge.begin(), overlay.arc_halfedge.end(), m_mesh.curve.begin());
+    std::copy(overlay.is_original.begin(), overlay.is_original.end(), m_mesh.is_original.begin());
     m_patch = std::move(overlay.patch);
+    mark_outside();
     m_layout_vertex.assign(m_mesh.points.size(), -1);
     m_along.assign(m_mesh.points.size(), 0);
     m_is_node.assign(m_mesh.points.size(), 0);
@@ -49,7 +50,7 @@ public:
   const Curve_mesh& mesh() const { return m_mesh; }
   Curve_mesh release_mesh() { return std::move(m_mesh); }
 
-  // the patch of the T-mesh in which a triangle is
+  // the patch of the T-mesh in which a triangle is, -1 beyond the border
   int patch(int face) const { return m_patch[face]; }
   const Quad_layout::Grid& grid(int face) const { return m_layout.grids[m_patch[face]]; }
 
@@ -69,6 +70,8 @@ public:
       return length(m_mesh.curve[h]) == 0;
     if (m_mesh.curve[h] >= 0)
       return m_mesh.curve[h] == contracted();
+    if (m_patch[h / 3] < 0)
+      return false;
     return grid(h / 3).width == 0 && grid(h / 3).height == 0;
   }
 
@@ -141,10 +144,21 @@ private:
     return m_along[v];
   }
 
+  // tells the outer sides of the border what they are
+  void mark_outside()
+  {
+    m_patch.resize(m_mesh.number_of_faces(), -1);
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.is_outer(h) && m_mesh.is_border_edge(h)) {
+        m_mesh.curve[h] = T_mesh::opposite(m_mesh.curve[m_mesh.opposite(h)]);
+        m_mesh.is_original[h] = 1;
+      }
+  }
+
   void place_on_arcs(const std::vector<Overlay::Place>& place)
   {
     m_start.resize(m_t_mesh.number_of_halfedges());
-    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+    for (int h = 0; h < int(place.size()); ++h)
       if (place[h].halfedge >= 0 && place[h].fraction == 0) {
         m_start[place[h].halfedge] = m_mesh.source(h);
         m_is_node[m_mesh.source(h)] = 1;

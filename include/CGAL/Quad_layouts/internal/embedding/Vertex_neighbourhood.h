@@ -11,6 +11,8 @@
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
 #include <CGAL/Quad_layouts/internal/embedding/Rest_shape.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -25,11 +27,16 @@ public:
   // `aspect`: as for `Rest_shape`
   Vertex_neighbourhood(const Map& map, int v, const std::vector<int>& star,
                        double aspect = Rest_shape::least_aspect)
+    : m_freedom(map.freedom[v])
   {
     for (const int f : star) {
       const Map::Face& face = map.faces[f];
       const int k = face.corner_of(v), a = (k + 1) % 3, b = (k + 2) % 3;
       const Chart_change to_vertex = face.chart[k].inverse();
+      if (face.is_border[k])
+        m_border[0] = to_vertex(map.corner(face, a));
+      if (face.is_border[b])
+        m_border[1] = to_vertex(map.corner(face, b));
       m_triangles.push_back({to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
                              Rest_shape(map.points[v], map.points[face.vertex[a]],
                                         map.points[face.vertex[b]], aspect)});
@@ -37,9 +44,12 @@ public:
   }
 
   // Finds a point from which all opposite edges are seen from their left: the centroid of the
-  // kernel of the polygon that they form. Returns false if the kernel is empty.
+  // kernel of the polygon that they form. Returns false if the kernel is empty. On the border it is
+  // the middle of the kernel's side there.
   bool find_center(Point2& center) const
   {
+    if (m_freedom != Map::FREE)
+      return find_center_on_border(center);
     std::vector<Point2> kernel = bounding_box();
     for (const Triangle& t : m_triangles)
       kernel = left_part(kernel, t.a, t.b);
@@ -56,7 +66,9 @@ public:
     Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
     for (const Triangle& t : m_triangles)
       add_derivatives(t, x, gradient, hessian);
-    const Point2 move = -hessian.inverse() * gradient;
+    const Point2 move = m_freedom == Map::FREE ? Point2(-hessian.inverse() * gradient)
+                        : m_freedom == Map::ALONG_X ? Point2(-gradient.x() / hessian(0, 0), 0)
+                                                    : Point2(0, -gradient.y() / hessian(1, 1));
     const double before = value(x);
     for (double length = 1; length > 1e-3; length /= 2)
       if (const Point2 y = x + length * move; value(y) < before) {
@@ -72,6 +84,25 @@ private:
     Rest_shape rest;
     Eigen::Matrix2d jacobian(const Point2& x) const { return rest.jacobian({x, a, b}); }
   };
+
+  bool find_center_on_border(Point2& center) const
+  {
+    const auto& [p, q] = m_border;
+    double low = 0, high = 1;
+    for (const Triangle& t : m_triangles) {
+      const double at_p = side(t.a, t.b, p), at_q = side(t.a, t.b, q);
+      if (at_p < 0 && at_q <= 0)
+        return false;
+      if (at_p < 0)
+        low = (std::max)(low, at_p / (at_p - at_q));
+      if (at_q < 0)
+        high = (std::min)(high, at_p / (at_p - at_q));
+    }
+    center = p + (low + high) / 2 * (q - p);
+    const int locked = m_freedom == Map::ALONG_X ? 1 : 0;
+    center[locked] = p[locked];
+    return low < high && value(center) < (std::numeric_limits<double>::infinity)();
+  }
 
   // the distortion if the vertex is at x, infinite if a triangle is inverted
   double value(const Point2& x) const
@@ -141,6 +172,8 @@ private:
   }
 
   std::vector<Triangle> m_triangles;
+  Map::Freedom m_freedom;
+  std::array<Point2, 2> m_border; // the next vertex on the border, and that before
 };
 
 } // namespace internal

@@ -45,13 +45,18 @@ public:
   // `ends`: where curves end, cones among them
   Vertex_removal(Map& map, const std::vector<int>& ends, const std::vector<char>& is_cone)
     : m_map(map), m_is_cone(is_cone), m_star(stars(map)), m_kind(map.points.size(), FREE),
-      m_is_present(map.faces.size(), 1), m_number_of_faces(int(map.faces.size())),
+      m_on_border(map.points.size(), 0), m_is_present(map.faces.size(), 1),
+      m_number_of_faces(int(map.faces.size())),
       m_is_queued(map.points.size(), 0), m_seen(map.points.size(), 0)
   {
     for (const Map::Face& f : map.faces)
       for (int k = 0; k < 3; ++k)
         if (f.curve[k] >= 0)
           m_kind[f.vertex[k]] = ON_CURVE;
+    for (const Map::Face& f : map.faces)
+      for (int k = 0; k < 3; ++k)
+        if (f.is_border[k])
+          m_on_border[f.vertex[k]] = 1;
     for (const int v : ends)
       m_kind[v] = HELD;
   }
@@ -109,8 +114,13 @@ public:
   template <class Visit>
   void for_each_neighbour(int u, Visit&& visit) const
   {
-    for (const int f : m_star[u])
-      visit(next_around(f, u));
+    for (const int f : m_star[u]) {
+      const Map::Face& face = m_map.faces[f];
+      const int k = face.corner_of(u), before = (k + 2) % 3;
+      visit(face.vertex[(k + 1) % 3]);
+      if (face.is_border[before])
+        visit(face.vertex[before]);
+    }
   }
 
 private:
@@ -187,8 +197,19 @@ private:
   {
     return std::any_of(m_star[u].begin(), m_star[u].end(), [&](int f) {
       const Map::Face& face = m_map.faces[f];
-      const int k = face.corner_of(u);
-      return face.curve[k] >= 0 && face.vertex[(k + 1) % 3] == v;
+      const int k = face.corner_of(u), before = (k + 2) % 3;
+      return (face.curve[k] >= 0 && face.vertex[(k + 1) % 3] == v) ||
+             (face.curve[before] >= 0 && face.vertex[before] == v);
+    });
+  }
+
+  bool is_border(int u, int v) const
+  {
+    return std::any_of(m_star[u].begin(), m_star[u].end(), [&](int f) {
+      const Map::Face& face = m_map.faces[f];
+      const int k = face.corner_of(u), before = (k + 2) % 3;
+      return (face.is_border[k] && face.vertex[(k + 1) % 3] == v) ||
+             (face.is_border[before] && face.vertex[before] == v);
     });
   }
 
@@ -196,29 +217,25 @@ private:
   bool keeps_manifold(int u, int v)
   {
     ++m_stamp;
-    for (const int f : m_star[v])
-      m_seen[next_around(f, v)] = m_stamp;
+    for_each_neighbour(v, [&](int w) { m_seen[w] = m_stamp; });
     int common = 0;
-    for (const int f : m_star[u]) {
-      const int w = next_around(f, u);
+    bool result = m_seen[u] == m_stamp;
+    for_each_neighbour(u, [&](int w) {
       const bool is_common = m_seen[w] == m_stamp;
       common += is_common;
-      if (is_common && m_star[w].size() < 5)
-        return false;
+      if (is_common && room_at(w) < 5)
+        result = false;
       if (!is_common && w != v && m_kind[u] == FREE && m_kind[v] != FREE && m_kind[w] != FREE)
-        return false;
-    }
-    const std::size_t valence = m_star[u].size() + m_star[v].size() - 4;
-    return m_seen[u] == m_stamp && common == 2 && valence >= 4 &&
+        result = false;
+    });
+    const int shared = is_border(u, v) ? 1 : 2;
+    const std::size_t valence = m_star[u].size() + m_star[v].size() - 2 * shared;
+    return result && common == shared && valence + (m_on_border[v] ? 2 : 0) >= 4 &&
            valence <= (std::max<std::size_t>)(11, m_star[v].size());
   }
 
-  // the corner behind v in face f: a neighbour of v, and each of them just once
-  int next_around(int f, int v) const
-  {
-    const Map::Face& face = m_map.faces[f];
-    return face.vertex[(face.corner_of(v) + 1) % 3];
-  }
+  // the number of faces at v; on the border, where half of a turn is missing, two more
+  std::size_t room_at(int v) const { return m_star[v].size() + (m_on_border[v] ? 2 : 0); }
 
   // how far the normals of the faces turn (0 to 1/2); forbidden if too far or the shapes suffer too
   // much
@@ -287,14 +304,17 @@ private:
     const int from = removed.vertex[side], to = removed.vertex[(side + 1) % 3];
     for (const int f : m_star[v])
       for (int k = 0; k < 3; ++k)
-        if (m_map.faces[f].vertex[k] == from && m_map.faces[f].vertex[(k + 1) % 3] == to)
+        if (m_map.faces[f].vertex[k] == from && m_map.faces[f].vertex[(k + 1) % 3] == to) {
           m_map.faces[f].curve[k] = removed.curve[side];
+          m_map.faces[f].is_border[k] = removed.is_border[side];
+        }
   }
 
   Map& m_map;
   const std::vector<char>& m_is_cone;   // per vertex
   std::vector<std::vector<int>> m_star; // per vertex its faces, in no order
   std::vector<Kind> m_kind;             // per vertex
+  std::vector<char> m_on_border;        // per vertex
   std::vector<char> m_is_present;       // per face
   Care m_care = SHAPES;
   int m_number_of_faces;

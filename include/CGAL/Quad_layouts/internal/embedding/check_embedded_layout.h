@@ -24,6 +24,8 @@ inline void check_ends(const Embedded_layout& embedded, const Quad_layout& layou
 {
   const Curve_mesh& mesh = embedded.mesh;
   for (int l = 0; l < layout.number_of_halfedges(); ++l) {
+    if (layout.is_border(l))
+      continue;
     const std::vector<int> around = mesh.outgoing(embedded.vertices[layout.source(l)]);
     if (std::none_of(around.begin(), around.end(), [&](int h) { return mesh.curve[h] == l; }))
       throw Stage_failure("embed: layout edge " + std::to_string(l / 2) +
@@ -44,6 +46,11 @@ inline void spread_region(const Curve_mesh& mesh, const Quad_layout& layout, int
       if (mesh.curve[h] >= 0 && layout.face(mesh.curve[h]) != f)
         throw Stage_failure("embed: the curves around layout face " + std::to_string(f) +
                             " are in disorder");
+      if (mesh.opposite(h) < 0) {
+        if (mesh.curve[h] < 0 || !layout.is_border(Quad_layout::opposite(mesh.curve[h])))
+          throw Stage_failure("embed: the border is not made of edges of the layout");
+        continue;
+      }
       const int g = mesh.opposite(h) / 3;
       if (mesh.curve[h] < 0 && face[g] < 0) {
         face[g] = f;

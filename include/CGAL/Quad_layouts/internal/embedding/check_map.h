@@ -45,7 +45,7 @@ inline bool is_positive(const Integer_grid_map& map, int f)
 struct Cone
 {
   int vertex;
-  int index; // in quarters; the map spans 4 - index quarter-turns around it
+  int index; // in quarters: how many fewer the map spans around it than around others
   int layout_vertex;
 };
 
@@ -56,7 +56,9 @@ inline void check(Integer_grid_map& map, const std::vector<Cone>& cones)
   map.inverted = map.wrong_winding = 0;
   for (int f = 0; f < surface.number_of_faces(); ++f)
     map.inverted += !is_positive(map, f);
-  std::vector<int> expected(surface.number_of_vertices(), 4);
+  std::vector<int> expected;
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    expected.push_back(surface.is_on_border(v) ? 2 : 4);
   for (const Cone& c : cones)
     expected[c.vertex] -= c.index;
   for (int v = 0; v < surface.number_of_vertices(); ++v)

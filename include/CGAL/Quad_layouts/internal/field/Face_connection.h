@@ -18,7 +18,7 @@ namespace internal {
 
 // The geometry that fields on faces are computed with: the angles of the halfedges, the
 // transports across edges (the discrete Levi-Civita connection on the dual graph), areas and the
-// weights of dual edges. The surface is closed. All of it is looked up often, and costs arc
+// weights of dual edges, which those on the border do not have. All of it is looked up often, and costs arc
 // tangents and roots: hence the tables.
 class Face_connection
 {
@@ -61,7 +61,7 @@ public:
 
   // length over dual length of edge e, the latter being the part normal to e of the way from one
   // barycentre to the other: positive for triangles of any shape, and the cotangent weight for
-  // equilateral ones; bounded for the sake of the condition of systems of equations
+  // equilateral ones; bounded for the sake of the condition of systems of equations. 0 on the border
   double weight(int e) const { return m_weight[e]; }
 
 private:
@@ -89,9 +89,11 @@ private:
   {
     constexpr double bound = 1e6;
     const int ne = m_surface->number_of_edges();
-    m_weight.resize(ne);
+    m_weight.assign(ne, 0);
     for (int e = 0; e < ne; ++e) {
       const int h = m_surface->halfedge_of_edge(e), g = m_surface->opposite(h);
+      if (g < 0)
+        continue;
       const double area = m_area[m_surface->face(h)] + m_area[m_surface->face(g)];
       m_weight[e] = (std::min)(1.5 * m_surface->vector(h).squaredNorm() / area, bound);
     }

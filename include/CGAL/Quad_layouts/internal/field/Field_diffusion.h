@@ -115,6 +115,8 @@ private:
       double diagonal = m_mass + std::abs(m_pull[f]);
       m_constant[i] = m_pull[f];
       for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        if (surface.is_border(h))
+          continue;
         const int g = surface.opposite(h), j = m_unknown[surface.face(g)];
         diagonal += m_connection->weight(surface.edge(h));
         if (j < 0)

@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  // valences 0, 1 and 2, and those of 8 and more
+  // valences 0, 1 and 2, and those of 8 and more; on the border, no quad or more than five
   bool is_strong(int v) const { return m_index[v] >= 2 || m_index[v] <= -4; }
 
   // moves a quarter of the index of v to the neighbour where this helps most, and, of equals,
@@ -66,7 +66,7 @@ private:
     int best = -1, best_gain = 0;
     double best_rotation = 0;
     m_surface.for_each_outgoing(v, [&](int h) {
-      if (m_is_fixed[m_surface.face(h)] && m_is_fixed[m_surface.face(m_surface.opposite(h))])
+      if (m_surface.is_border(h) || is_between_fixed_crosses(h))
         return;
       const int gain = quarter * (m_index[v] - m_index[m_surface.target(h)]) - 1;
       const double turned = rotation(m_connection, m_angle, m_jump, h) + quarter * right_angle;
@@ -83,6 +83,15 @@ private:
     m_index[v] -= quarter;
     m_index[m_surface.target(best)] += quarter;
     return true;
+  }
+
+  // whether the directions on both sides of h are prescribed, by more than the fixed edges there:
+  // across those a field may turn by any angle, and has to where the border is acute
+  bool is_between_fixed_crosses(int h) const
+  {
+    const int f = m_surface.face(h), g = m_surface.face(m_surface.opposite(h));
+    return m_is_fixed[f] && m_is_fixed[g] &&
+           !(m_surface.fixed_halfedge(f) >= 0 && m_surface.fixed_halfedge(g) >= 0);
   }
 
   // the free faces within four rings about v, in the order of a breadth-first search
@@ -121,6 +130,8 @@ private:
       for (int f : faces) {
         double turn = 0, weights = 0;
         for (int h = 3 * f; h < 3 * f + 3; ++h) {
+          if (m_surface.is_border(h))
+            continue;
           const double weight = m_connection.weight(m_surface.edge(h));
           turn += weight * rotation(m_connection, m_angle, m_jump, h);
           weights += weight;

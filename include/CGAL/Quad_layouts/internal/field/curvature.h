@@ -20,9 +20,11 @@ namespace internal {
 
 using Complex = std::complex<double>;
 
-// the signed angle between the normals of the faces beside the edge of h
+// the signed angle between the normals of the faces beside the edge of h, 0 on the border
 inline double dihedral_angle(const Triangle_surface& surface, int h)
 {
+  if (surface.is_border(h))
+    return 0;
   const Point n = surface.area_vector(surface.face(h));
   const Point m = surface.area_vector(surface.face(surface.opposite(h)));
   return std::atan2(n.cross(m).dot(surface.vector(h).normalized()), n.dot(m));

@@ -36,6 +36,8 @@ inline std::vector<int> principal_period_jumps(const Face_connection& connection
   std::vector<int> jumps(surface.number_of_halfedges(), 0);
   for (int e = 0; e < surface.number_of_edges(); ++e) {
     const int h = surface.halfedge_of_edge(e), g = surface.opposite(h);
+    if (g < 0)
+      continue;
     const double turn = angles[surface.face(h)] + connection.transport(h) - angles[surface.face(g)];
     jumps[h] = int(std::lround(turn / right_angle));
     jumps[g] = -jumps[h];
@@ -52,23 +54,29 @@ inline double rotation(const Face_connection& connection, const std::vector<doub
   return angles[g] - angles[f] - connection.transport(h) + jumps[h] * right_angle;
 }
 
-// the index of vertex v in quarters. The angle defect of v and the rotations along a loop around
+// The index of vertex v in quarters. The angle defect of v and the rotations along a loop around
 // it sum to a multiple of pi/2 (the frames cancel); so only rounding errors are rounded away.
+//
+// On the border the index is two minus the quarter-turns that the field makes from one border edge
+// to the other, to both of which it is aligned: +1 in the corner of a square.
 inline int index(const Face_connection& connection, const std::vector<double>& angles,
                  const std::vector<int>& jumps, int v)
 {
-  double turn = 4 * right_angle;
-  connection.surface().for_each_outgoing(v, [&](int h) {
+  const Triangle_surface& surface = connection.surface();
+  double turn = (surface.is_on_border(v) ? 2 : 4) * right_angle;
+  surface.for_each_outgoing(v, [&](int h) {
     // counter-clockwise about v, edge h is crossed from its right to its left
-    turn -= connection.corner_angle(h) + rotation(connection, angles, jumps, h);
+    turn -= connection.corner_angle(h);
+    if (!surface.is_border(h))
+      turn -= rotation(connection, angles, jumps, h);
   });
   const double quarters = turn / right_angle;
   CGAL_assertion(std::abs(quarters - std::round(quarters)) < 0.25);
   return int(std::lround(quarters));
 }
 
-// the indices of all vertices, 0 for isolated ones. The angle defects sum to 2 pi chi and
-// rotations cancel in pairs, hence the indices sum to 4 chi, for any angles and antisymmetric
+// the indices of all vertices, 0 for isolated ones. The angle defects and the turning of the border
+// sum to 2 pi chi and rotations cancel in pairs, hence the indices sum to 4 chi, for any angles and antisymmetric
 // jumps.
 inline std::vector<int> indices(const Face_connection& connection,
                                 const std::vector<double>& angles,

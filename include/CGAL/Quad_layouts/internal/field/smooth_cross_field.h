@@ -45,30 +45,46 @@ inline Cross_field make_cross_field(const std::shared_ptr<const Triangle_surface
   return result;
 }
 
-// the field whose direction in each face is the projection of the vector there
+// the direction of the cross with angle `angle` in face f that is nearest to the fixed edge of f,
+// turned such that it has that edge's direction exactly; `angle` itself if f has none
+inline double aligned_angle(const Triangle_surface& surface, int f, double angle)
+{
+  const int h = surface.fixed_halfedge(f);
+  if (h < 0)
+    return angle;
+  return angle + std::remainder(surface.halfedge_angle(h) - angle, right_angle);
+}
+
+// the field whose direction in each face is the projection of the vector there, turned as little as
+// aligns it to fixed edges; `directions` has a vector per face of the user's mesh
 inline Cross_field given_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
                                      const std::vector<Eigen::Vector3d>& directions)
 {
   const Face_connection connection(*surface);
   std::vector<double> angles;
-  angles.reserve(directions.size());
-  for (int f = 0; f < int(directions.size()); ++f)
-    angles.push_back(projected_angle(*surface, f, directions[f], "face_direction_map"));
+  angles.reserve(surface->number_of_faces());
+  for (int f = 0; f < surface->number_of_faces(); ++f)
+    angles.push_back(aligned_angle(
+      *surface, f,
+      projected_angle(*surface, f, directions[surface->origin(f)], "face_direction_map")));
   const std::vector<int> jumps = principal_period_jumps(connection, angles);
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 
-// the representations of the directions of the faces with a vector, and 0 for those with a null
-// vector
+// the representations of the directions of faces at fixed edges and of those with a vector, and 0
+// for others
 inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
                                           const std::vector<Eigen::Vector3d>& constraints)
 {
   std::vector<Complex> result(surface.number_of_faces());
-  for (int f = 0; f < int(constraints.size()); ++f)
-    if (constraints[f] != Eigen::Vector3d::Zero()) {
-      const double angle = projected_angle(surface, f, constraints[f], "face_constraint_map");
-      result[f] = std::polar(1., 4 * angle);
-    }
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    const int g = surface.origin(f), h = surface.fixed_halfedge(f);
+    if (h >= 0)
+      result[f] = std::polar(1., 4 * surface.halfedge_angle(h));
+    else if (!constraints.empty() && constraints[g] != Eigen::Vector3d::Zero())
+      result[f] = std::polar(1., 4 * projected_angle(surface, f, constraints[g],
+                                                     "face_constraint_map"));
+  }
   return result;
 }
 
@@ -89,14 +105,15 @@ inline std::vector<double> diffused_angles(const Face_connection& connection,
     if (diffusion.step() < converged)
       break;
   }
-  std::vector<double> angles(fixed.size());
-  std::transform(diffusion.values().begin(), diffusion.values().end(), angles.begin(),
-                 [](const Complex& u) { return std::arg(u) / 4; });
+  std::vector<double> angles;
+  for (int f = 0; f < int(fixed.size()); ++f)
+    angles.push_back(aligned_angle(connection.surface(), f,
+                                   std::arg(diffusion.values()[f]) / 4));
   return angles;
 }
 
-// a smooth cross field with the directions that `constraints` has; it is empty or has a vector
-// per face
+// a smooth cross field along fixed edges, with the directions that `constraints` has; it is empty
+// or has a vector per face of the user's mesh
 inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surface>& surface,
                                       const std::vector<Eigen::Vector3d>& constraints,
                                       const Cross_field_options& options, const Monitor& monitor)

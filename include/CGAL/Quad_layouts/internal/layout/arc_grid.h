@@ -45,6 +45,7 @@ public:
   int length(int arc) const { return m_length[arc]; }
   int width(int patch) const { return int(m_sides[patch][0].size()); }
   int height(int patch) const { return int(m_sides[patch][1].size()); }
+  bool is_on_border(int point) const { return m_is_on_border[point] != 0; }
   // has no squares: one or both of its extents are 0
   bool is_flat(int patch) const { return width(patch) == 0 || height(patch) == 0; }
   bool is_point(int patch) const { return width(patch) == 0 && height(patch) == 0; }
@@ -55,6 +56,7 @@ public:
   int source(int half_segment) const { return m_source[half_segment]; }
   int target(int half_segment) const { return m_source[half_segment ^ 1]; }
   int arc(int half_segment) const { return m_arc[half_segment / 2]; }
+  // -1 if the half-segment is on the outside of the border
   int patch(int half_segment) const
   {
     return m_t_mesh->face(2 * arc(half_segment) + half_segment % 2);
@@ -63,7 +65,8 @@ public:
   // the half-segment on the other side of a flat patch that falls onto this one, -1 in other
   // patches
   int across(int half_segment) const { return m_across[half_segment]; }
-  // the half-segment of a patch that is not flat which this one, also of such a patch, is glued to
+  // the half-segment of a patch that is not flat, or on the outside of the border, which this one,
+  // also of such a patch, is glued to
   int facing(int half_segment) const
   {
     int s = half_segment ^ 1;
@@ -77,16 +80,20 @@ private:
   {
     const T_mesh& t = *m_t_mesh;
     m_number_of_points = t.number_of_vertices();
+    for (int n = 0; n < t.number_of_vertices(); ++n)
+      m_is_on_border.push_back(t.is_on_border(n));
     m_first_segment.reserve(m_length.size());
     for (int a = 0; a < t.number_of_edges(); ++a) {
       if (m_length[a] < 0)
         throw Stage_failure("layout: the length of arc " + std::to_string(a) + " is negative");
       m_first_segment.push_back(int(m_arc.size()));
+      const bool is_border = t.is_border_edge(a);
       for (int i = 0; i < m_length[a]; ++i) {
         m_arc.push_back(a);
         m_source.push_back(i == 0 ? t.source(2 * a) : m_number_of_points++);
         m_source.push_back(i == m_length[a] - 1 ? t.target(2 * a) : m_number_of_points);
       }
+      m_is_on_border.resize(m_number_of_points, is_border);
     }
   }
 
@@ -132,6 +139,7 @@ private:
   const T_mesh* m_t_mesh;
   std::vector<int> m_length;
   int m_number_of_points = 0;
+  std::vector<char> m_is_on_border;     // per point
   std::vector<int> m_first_segment;     // per arc
   std::vector<int> m_arc;               // per segment
   std::vector<int> m_source, m_across;  // per half-segment

@@ -17,6 +17,15 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
+// The side on the border that ends where another one, s, begins.
+inline int border_side_before(const Glued_squares& squares, int s)
+{
+  int before = Glued_squares::prev(s);
+  while (squares.opposite(before) >= 0)
+    before = Glued_squares::prev(squares.opposite(before));
+  return before;
+}
+
 // Makes halfedges of the sides of squares; square s becomes face s. Returns the halfedge of each
 // side.
 inline std::vector<int> assemble_halfedges(const Glued_squares& squares, Quad_layout& layout)
@@ -24,17 +33,28 @@ inline std::vector<int> assemble_halfedges(const Glued_squares& squares, Quad_la
   const int n = squares.number_of_sides();
   std::vector<int> side_of_halfedge, halfedge_of_side(n);
   for (int s = 0; s < n; ++s)
-    if (s < squares.opposite(s))
-      for (int side : {s, squares.opposite(s)}) {
-        halfedge_of_side[side] = int(side_of_halfedge.size());
+    if (const int twin = squares.opposite(s); twin < 0 || s < twin)
+      for (int side : {s, twin}) {
+        if (side >= 0)
+          halfedge_of_side[side] = int(side_of_halfedge.size());
         side_of_halfedge.push_back(side);
       }
   layout.vertex_halfedge.assign(squares.number_of_vertices(), -1);
-  for (int s : side_of_halfedge) {
+  for (std::size_t h = 0; h < side_of_halfedge.size(); ++h) {
+    const int s = side_of_halfedge[h];
+    if (s < 0) { // on the border, opposite the side of the halfedge before
+      const int inner = side_of_halfedge[h - 1];
+      layout.halfedge_target.push_back(squares.vertex(inner));
+      layout.halfedge_next.push_back(halfedge_of_side[border_side_before(squares, inner)] + 1);
+      layout.halfedge_face.push_back(-1);
+      layout.vertex_halfedge[squares.vertex(inner)] = int(h) - 1;
+      continue;
+    }
     layout.halfedge_target.push_back(squares.vertex(Glued_squares::next(s)));
     layout.halfedge_next.push_back(halfedge_of_side[Glued_squares::next(s)]);
     layout.halfedge_face.push_back(s / 4);
-    layout.vertex_halfedge[squares.vertex(s)] = halfedge_of_side[s];
+    if (!squares.is_on_border(squares.vertex(s)))
+      layout.vertex_halfedge[squares.vertex(s)] = int(h);
   }
   for (int s = 0; s < n; s += 4)
     layout.face_halfedge.push_back(halfedge_of_side[s]);
@@ -54,8 +74,12 @@ inline void relate_to_t_mesh(const Glued_squares& squares, const std::vector<int
       layout.grids[p].squares.push_back(halfedge_of_side[4 * (squares.first_square(p) + i)]);
   }
   layout.arc_halfedges.resize(grid.t_mesh().number_of_edges());
-  for (int s = 0; s < grid.number_of_half_segments(); s += 2)
-    layout.arc_halfedges[grid.arc(s)].push_back(halfedge_of_side[squares.side_on(s)]);
+  for (int s = 0; s < grid.number_of_half_segments(); s += 2) {
+    const int left = squares.side_on(s);
+    layout.arc_halfedges[grid.arc(s)].push_back(
+      left >= 0 ? halfedge_of_side[left]
+                : Quad_layout::opposite(halfedge_of_side[squares.side_on(s + 1)]));
+  }
 }
 
 // Gives clusters and nodes their vertices; `vertex_of_fibre` is that of `vertex_of_fibres`.

@@ -23,26 +23,30 @@ inline void collect_chords(Quad_layout& layout)
 {
   Disjoint_sets sets(layout.number_of_edges());
   for (int h = 0; h < layout.number_of_halfedges(); ++h)
-    sets.union_set(Quad_layout::edge(h), Quad_layout::edge(layout.next(layout.next(h))));
+    if (!layout.is_border(h))
+      sets.union_set(Quad_layout::edge(h), Quad_layout::edge(layout.next(layout.next(h))));
   Numbered_classes chords = number_classes(sets, layout.number_of_edges());
   layout.number_of_chords = chords.number;
   layout.edge_chord = std::move(chords.class_of);
 }
 
-// Marks the chains of edges that leave irregular vertices and go straight on through regular ones.
+// Marks the border, and the chains of edges that leave irregular vertices and go straight on through
+// regular ones, up to the border.
 inline void mark_separatrices(Quad_layout& layout)
 {
   const int n = layout.number_of_vertices();
-  std::vector<char> regular(n);
-  for (int v = 0; v < n; ++v)
-    regular[v] = layout.valence(v) == 4;
+  std::vector<char> regular(n), goes_on(n);
+  for (int v = 0; v < n; ++v) {
+    regular[v] = layout.is_regular(v);
+    goes_on[v] = regular[v] && !layout.is_on_border(v);
+  }
   layout.edge_on_separatrix.assign(layout.number_of_edges(), 0);
   for (int first = 0; first < layout.number_of_halfedges(); ++first) {
-    if (regular[layout.source(first)])
+    if (regular[layout.source(first)] && !layout.is_border(first))
       continue;
     int h = first;
     layout.edge_on_separatrix[Quad_layout::edge(h)] = 1;
-    while (regular[layout.target(h)]) {
+    while (goes_on[layout.target(h)]) {
       h = layout.next(Quad_layout::opposite(layout.next(h)));
       layout.edge_on_separatrix[Quad_layout::edge(h)] = 1;
     }
@@ -54,7 +58,7 @@ inline void collect_patches(Quad_layout& layout)
 {
   Disjoint_sets sets(layout.number_of_faces());
   for (int e = 0; e < layout.number_of_edges(); ++e)
-    if (!layout.is_on_separatrix(e))
+    if (!layout.is_on_separatrix(e) && !layout.is_border_edge(e))
       sets.union_set(layout.face(2 * e), layout.face(2 * e + 1));
   Numbered_classes patches = number_classes(sets, layout.number_of_faces());
   layout.number_of_patches = patches.number;

@@ -35,6 +35,10 @@ inline std::vector<int> chords_in_conflict(const Divided_layout& divided)
     for (int k = 0; k < 4; ++k)
       edges.emplace_back(quad[k], quad[(k + 1) % 4], k % 2 == 0 ? along_x : along_y);
   });
+  for (int h = 0; h < layout.number_of_halfedges(); ++h)
+    for (int k = 0; layout.is_border(h) && k < divided.parts(h); ++k)
+      edges.emplace_back(divided.vertex_on(h, k), divided.vertex_on(h, k + 1),
+                         layout.chord(Quad_layout::edge(h)));
   std::sort(edges.begin(), edges.end());
   std::vector<int> result;
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/internal/layout/glued_squares.h>
 #include <CGAL/Quad_layouts/internal/layout/number_classes.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,9 @@ inline std::string local_difference(const Fibres& fibres, const Glued_squares& s
       return "no square is left at node " + node;
     if (vertex[f] == -2)
       return "the surface is pinched at node " + node;
-    if (squares.valence(vertex[f]) != 4 - index[f])
+    if (squares.is_on_border(vertex[f]) != fibres.is_on_border(f))
+      return "the border is changed at node " + node;
+    if (squares.number_of_squares_at(vertex[f]) != (fibres.is_on_border(f) ? 2 : 4) - index[f])
       return "the valence at node " + node + " does not fit its index";
   }
   return "";
@@ -60,7 +63,8 @@ inline std::vector<int> component_of_patches(const T_mesh& t)
 {
   Disjoint_sets sets(t.number_of_faces());
   for (int a = 0; a < t.number_of_edges(); ++a)
-    sets.union_set(t.face(2 * a), t.face(2 * a + 1));
+    if (!t.is_border_edge(a))
+      sets.union_set(t.face(2 * a), t.face(2 * a + 1));
   return number_classes(sets, t.number_of_faces()).class_of;
 }
 
@@ -71,7 +75,7 @@ inline std::vector<int> euler_characteristics(const T_mesh& t, const std::vector
   for (int c : component)
     ++result[c];
   for (int a = 0; a < t.number_of_edges(); ++a)
-    --result[component[t.face(2 * a)]];
+    --result[component[(std::max)(t.face(2 * a), t.face(2 * a + 1))]];
   for (int n = 0; n < t.number_of_vertices(); ++n)
     ++result[component[t.face(t.halfedge_from(n))]];
   return result;
@@ -87,7 +91,7 @@ inline std::vector<int> euler_characteristics(const Glued_squares& squares,
     const bool is_new_vertex = !counted[squares.vertex(s)];
     counted[squares.vertex(s)] = 1;
     result[component[squares.patch(s / 4)]] +=
-      int(is_new_vertex) - int(s < squares.opposite(s)) + int(s % 4 == 0);
+      int(is_new_vertex) - int(squares.opposite(s) < 0 || s < squares.opposite(s)) + int(s % 4 == 0);
   }
   return result;
 }

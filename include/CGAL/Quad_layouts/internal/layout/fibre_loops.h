@@ -48,7 +48,7 @@ public:
   // the connections of a tree of shortest paths from the first of some points to the others
   std::vector<int> tree(const std::vector<int>& points) const
   {
-    const Tree paths = shortest_paths(m_local.at(points.front()));
+    const Tree paths = shortest_paths({m_local.at(points.front())});
     std::vector<char> reached(m_incident.size(), 0);
     std::vector<int> result;
     for (int p : points)
@@ -57,6 +57,19 @@ public:
         result.push_back(paths.connection[v]);
       }
     return result;
+  }
+
+  // the connections of a shortest path from one of some points to one of some others
+  std::vector<int> path(const std::vector<int>& from, const std::vector<int>& to) const
+  {
+    std::vector<int> roots;
+    for (int p : from)
+      roots.push_back(m_local.at(p));
+    const Tree paths = shortest_paths(roots);
+    const int end = *std::min_element(to.begin(), to.end(), [&](int p, int q) {
+      return paths.distance[m_local.at(p)] < paths.distance[m_local.at(q)];
+    });
+    return path_to(paths, m_local.at(end));
   }
 
   // a basis of the loops that patches of zero size do not fill, with a shortest loop among them:
@@ -68,7 +81,7 @@ public:
     int best_length = (std::numeric_limits<int>::max)();
     const int n = int(m_incident.size()), step = 1 + n / maximum_number_of_roots;
     for (int root = 0; root < n; root += step) {
-      const Tree paths = shortest_paths(root);
+      const Tree paths = shortest_paths({root});
       const std::vector<Loop> loops = generators(paths);
       if (!loops.empty() && loops.front().first < best_length) {
         best_length = loops.front().first;
@@ -89,19 +102,21 @@ private:
   };
   struct Tree
   {
-    std::vector<int> distance, parent, connection;      // per local point; -1 at the root
+    std::vector<int> distance, parent, connection;      // per local point; -1 at roots
   };
   using Loop = std::pair<int, int>;                     // length, connection that closes it
 
-  Tree shortest_paths(int root) const
+  Tree shortest_paths(const std::vector<int>& roots) const
   {
     constexpr int infinity = (std::numeric_limits<int>::max)();
     const std::size_t n = m_incident.size();
     Tree tree{std::vector<int>(n, infinity), std::vector<int>(n, -1), std::vector<int>(n, -1)};
     using Entry = std::pair<int, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    tree.distance[root] = 0;
-    queue.emplace(0, root);
+    for (int root : roots) {
+      tree.distance[root] = 0;
+      queue.emplace(0, root);
+    }
     while (!queue.empty()) {
       const auto [distance, v] = queue.top();
       queue.pop();

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/internal/layout/arc_grid.h>
 #include <CGAL/Quad_layouts/internal/layout/number_classes.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,18 @@ public:
   const Fibre& fibre(int i) const { return m_fibres[i]; }
   // the fibre that a point belongs to
   int fibre_of_point(int point) const { return m_fibre_of_point[point]; }
+  bool is_on_border(int fibre) const
+  {
+    const std::vector<int>& points = m_fibres[fibre].points;
+    return std::any_of(points.begin(), points.end(),
+                       [&](int p) { return m_grid->is_on_border(p); });
+  }
+  // whether a connection is part of the border
+  bool is_border(int connection) const
+  {
+    const int a = m_connections[connection].arc;
+    return a >= 0 && m_grid->t_mesh().is_border_edge(a);
+  }
   const Zero_connection& connection(int c) const { return m_connections[c]; }
 
   // the arcs that must all have length 0 for the connection to have length 0, few ones if there is
@@ -83,7 +96,7 @@ public:
     if (a < 0)
       return {-1, -1};
     const T_mesh& t = m_grid->t_mesh();
-    const auto point_or_none = [&](int p) { return m_grid->is_point(p) ? p : -1; };
+    const auto point_or_none = [&](int p) { return p >= 0 && m_grid->is_point(p) ? p : -1; };
     return {point_or_none(t.face(2 * a)), point_or_none(t.face(2 * a + 1))};
   }
 

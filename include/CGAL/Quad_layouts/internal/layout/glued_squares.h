@@ -16,8 +16,8 @@ namespace Quad_layouts {
 namespace internal {
 
 // The unit squares of all patches, glued along their sides: in patches along the inner grid lines,
-// between patches along segments of arcs, straight across flat patches. The result is always a
-// closed oriented manifold; it is the quotient of the surface if and only if each fibre has one
+// between patches along segments of arcs, straight across flat patches. The result is always an
+// oriented manifold; it is the quotient of the surface if and only if each fibre has one
 // vertex.
 //
 // Square s has the sides 4s (bottom), 4s+1 (right), 4s+2 (top), 4s+3 (left), counter-clockwise;
@@ -38,20 +38,22 @@ public:
   const Arc_grid& grid() const { return *m_grid; }
   int number_of_squares() const { return int(m_patch.size()); }
   int number_of_sides() const { return 4 * number_of_squares(); }
-  int number_of_vertices() const { return int(m_valence.size()); }
+  int number_of_vertices() const { return int(m_squares_at.size()); }
 
   static int next(int side) { return side % 4 == 3 ? side - 3 : side + 1; }
   static int prev(int side) { return side % 4 == 0 ? side + 3 : side - 1; }
+  // -1 on the border
   int opposite(int side) const { return m_opposite[side]; }
   int vertex(int side) const { return m_vertex[side]; }
-  int valence(int vertex) const { return m_valence[vertex]; }
+  int number_of_squares_at(int vertex) const { return m_squares_at[vertex]; }
+  bool is_on_border(int vertex) const { return m_is_on_border[vertex] != 0; }
 
   int first_square(int patch) const { return m_first_square[patch]; }
   int patch(int square) const { return m_patch[square]; }
   // the half-segment that a side lies on, -1 for sides inside a patch
   int half_segment(int side) const { return m_half_segment[side]; }
-  // the side of a square that a half-segment falls onto, also across flat patches; none is in a
-  // flat ring
+  // the side of a square that a half-segment falls onto, also across flat patches; -1 if that is the
+  // outside of the border. No half-segment may be in a flat ring.
   int side_on(int half_segment) const { return m_side[m_grid->facing(half_segment ^ 1)]; }
 
 private:
@@ -120,10 +122,21 @@ private:
     for (int first = 0; first < number_of_sides(); ++first) {
       if (m_vertex[first] >= 0)
         continue;
-      int valence = 0;
-      for (int s = first; m_vertex[s] < 0; s = next(opposite(s)), ++valence)
-        m_vertex[s] = number_of_vertices();
-      m_valence.push_back(valence);
+      m_squares_at.push_back(0);
+      m_is_on_border.push_back(0);
+      const auto visit = [&](int s) {
+        if (s < 0)
+          m_is_on_border.back() = 1;
+        if (s < 0 || m_vertex[s] >= 0)
+          return false;
+        m_vertex[s] = number_of_vertices() - 1;
+        ++m_squares_at.back();
+        return true;
+      };
+      for (int s = first; visit(s);)
+        s = opposite(s) < 0 ? -1 : next(opposite(s));
+      for (int s = opposite(prev(first)); visit(s);)
+        s = opposite(prev(s));
     }
   }
 
@@ -132,7 +145,8 @@ private:
   std::vector<int> m_patch;                             // per square
   std::vector<int> m_opposite, m_vertex, m_half_segment;  // per side
   std::vector<int> m_side;                              // per half-segment, -1 in flat patches
-  std::vector<int> m_valence;                           // per vertex
+  std::vector<int> m_squares_at;                        // per vertex
+  std::vector<char> m_is_on_border;                     // per vertex
 };
 
 } // namespace internal

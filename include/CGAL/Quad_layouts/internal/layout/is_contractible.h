@@ -29,7 +29,7 @@ inline std::vector<int> patches_beside(const T_mesh& t_mesh, const std::vector<c
     int h = t_mesh.halfedge_of(result[i]);
     do {
       const int beside = t_mesh.face(T_mesh::opposite(h));
-      if (!is_on_loop[T_mesh::edge(h)] && !std::exchange(is_reached[beside], 1))
+      if (!is_on_loop[T_mesh::edge(h)] && beside >= 0 && !std::exchange(is_reached[beside], 1))
         result.push_back(beside);
       h = t_mesh.next(h);
     } while (h != t_mesh.halfedge_of(result[i]));
@@ -46,6 +46,8 @@ inline bool is_contractible(const T_mesh& t_mesh, const std::vector<int>& loop)
     is_on_loop[a] = 1;
   const int left = t_mesh.face(2 * loop.front()), right = t_mesh.face(2 * loop.front() + 1);
   for (const int first : {left, right}) {
+    if (first < 0)
+      continue;
     const std::vector<int> patches = patches_beside(t_mesh, is_on_loop, first);
     std::set<int> nodes, arcs;
     bool is_left = false, is_right = false;

@@ -18,12 +18,17 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Returns the point among some nodes that has the least greatest distance to the others.
+// Returns the point among some nodes, those on the border if there are any, that has the least
+// greatest distance to the others.
 inline Point central_point(const T_mesh& t, const std::vector<int>& nodes)
 {
   Point best = t.point(nodes.front());
   double least = (std::numeric_limits<double>::infinity)();
+  const bool on_border = std::any_of(nodes.begin(), nodes.end(),
+                                     [&](int n) { return t.is_on_border(n); });
   for (int n : nodes) {
+    if (t.is_on_border(n) != on_border)
+      continue;
     double greatest = 0;
     for (int m : nodes)
       greatest = (std::max)(greatest, (t.point(n) - t.point(m)).squaredNorm());
@@ -85,8 +90,13 @@ inline void place_vertices(const Fibres& fibres, const std::vector<int>& vertex_
   const T_mesh& t = fibres.grid().t_mesh();
   layout.vertex_point.assign(layout.number_of_vertices(), Point::Zero());
   const std::vector<Point> points = points_on_arcs(fibres.grid());
-  for (int f = 0; f < fibres.size(); ++f)
-    layout.vertex_point[vertex_of_fibre[f]] = points[fibres.fibre(f).points.front()];
+  for (int f = 0; f < fibres.size(); ++f) {
+    const std::vector<int>& of_fibre = fibres.fibre(f).points;
+    const auto on_border = std::find_if(of_fibre.begin(), of_fibre.end(),
+                                        [&](int p) { return fibres.grid().is_on_border(p); });
+    layout.vertex_point[vertex_of_fibre[f]] =
+      points[on_border == of_fibre.end() ? of_fibre.front() : *on_border];
+  }
   for (const Quad_layout::Cluster& c : layout.clusters)
     layout.vertex_point[c.vertex] = central_point(t, c.nodes);
   for (const Quad_layout::Grid& grid : layout.grids)

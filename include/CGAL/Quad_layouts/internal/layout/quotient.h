@@ -13,8 +13,10 @@
 #include <CGAL/Quad_layouts/internal/layout/fibres.h>
 #include <CGAL/Quad_layouts/internal/layout/glued_squares.h>
 #include <CGAL/Quad_layouts/internal/layout/is_contractible.h>
+#include <CGAL/Quad_layouts/internal/layout/number_classes.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -167,7 +169,66 @@ inline void find_unfilled_loops(const Fibres& fibres, Quotient_report& report)
   }
 }
 
-// Finds rings of patches of zero width, each glued to the next along its long sides.
+// The points of a fibre on the border, by pieces that arcs of length 0 on the border join.
+inline std::vector<std::vector<int>> border_pieces(const Fibres& fibres, int fibre)
+{
+  std::map<int, int> number; // within the fibre
+  std::vector<int> points;
+  for (int p : fibres.fibre(fibre).points)
+    if (fibres.grid().is_on_border(p)) {
+      number[p] = int(points.size());
+      points.push_back(p);
+    }
+  Disjoint_sets sets(int(points.size()));
+  for (int c : fibres.fibre(fibre).connections)
+    if (fibres.is_border(c))
+      sets.union_set(number.at(fibres.connection(c).from), number.at(fibres.connection(c).to));
+  const Numbered_classes classes = number_classes(sets, int(points.size()));
+  std::vector<std::vector<int>> result(classes.number);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result[classes.class_of[i]].push_back(points[i]);
+  return result;
+}
+
+// the connections of a fibre that are part of the border
+inline std::vector<int> border_connections(const Fibres& fibres, int fibre)
+{
+  std::vector<int> result;
+  for (int c : fibres.fibre(fibre).connections)
+    if (fibres.is_border(c))
+      result.push_back(c);
+  return result;
+}
+
+// Finds places where the border is pinched, because one fibre has several pieces of it, and borders
+// that vanish.
+inline void find_border_defects(const Fibres& fibres, Quotient_report& report)
+{
+  for (int f = 0; f < fibres.size(); ++f) {
+    const std::vector<std::vector<int>> pieces = border_pieces(fibres, f);
+    const std::vector<int> connections = border_connections(fibres, f);
+    const std::string node = std::to_string(fibres.fibre(f).points.front());
+    std::size_t points = 0;
+    for (const auto& piece : pieces)
+      points += piece.size();
+    if (points < pieces.size() + connections.size())
+      add_defect(report, "the whole border at node " + node + " has length 0",
+                 {arcs_of(fibres, connections), false});
+    else if (pieces.size() > 1)
+      add_defect(report, "pieces of the border fall together at node " + node,
+                 {arcs_of(fibres, Fibre_loops(fibres, f).path(pieces.front(), pieces.back())),
+                  false});
+  }
+}
+
+// says if flat patches lead from half-segment s, on the outside of the border, to the border
+inline bool is_chain_between_borders(const Arc_grid& grid, int s)
+{
+  return grid.patch(s) < 0 && grid.across(s ^ 1) >= 0 && grid.patch(grid.facing(s)) < 0;
+}
+
+// Finds rings of patches of zero width, each glued to the next along its long sides, and chains of
+// them from border to border.
 inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
 {
   const Arc_grid& grid = fibres.grid();
@@ -178,21 +239,26 @@ inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
       patches.push_back(grid.patch(s));
     }
   };
-  std::vector<int> patches;
-  for (int s = 0; s < grid.number_of_half_segments(); ++s)
-    if (grid.across(s) < 0)
-      walk(s ^ 1, patches);                  // chains that end in squares on both sides are sound
-  for (int s = 0; s < grid.number_of_half_segments(); ++s) {
-    patches.clear();
-    walk(s, patches);
-    if (patches.empty())
-      continue;
+  const auto add = [&](const std::string& shape, const std::vector<int>& patches) {
     std::vector<int> cut;
     for (int p : patches)
       for (int a : fibres.short_side(p))
         cut.push_back(a);
-    add_defect(report, "patches without extent form a ring through patch "
-               + std::to_string(grid.patch(s)), {sorted_unique(std::move(cut)), false});
+    add_defect(report, "patches without extent form a " + shape + " through patch "
+               + std::to_string(patches.front()), {sorted_unique(std::move(cut)), false});
+  };
+  for (int s = 0; s < grid.number_of_half_segments(); ++s)
+    if (grid.across(s) < 0) {
+      std::vector<int> patches;
+      walk(s ^ 1, patches);                  // chains that end in a square are sound
+      if (!patches.empty() && is_chain_between_borders(grid, s))
+        add("strip between borders", patches);
+    }
+  for (int s = 0; s < grid.number_of_half_segments(); ++s) {
+    std::vector<int> patches;
+    walk(s, patches);
+    if (!patches.empty())
+      add("ring", patches);
   }
 }
 
@@ -205,6 +271,7 @@ inline Quotient_report examine_quotient(const T_mesh& t_mesh, const std::vector<
   Quotient_report report;
   report.clusters = merged_clusters(fibres);
   find_unfilled_loops(fibres, report);
+  find_border_defects(fibres, report);
   find_flat_rings(fibres, report);
   report.cuts = sorted_unique(std::move(report.cuts));
   if (report.cuts.empty())

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_Line_tracer.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/extract_starts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,7 @@ inline std::vector<double> distances_of_parts(int length, int parts)
 //
 // Lines are followed from the anchors on, breadth first over the edges of the layout. A vertex of
 // the layout that is reached again must be reached at the same place from the same side, exactly.
+// Edges on the border are followed with the surface on their left.
 // So where this succeeds the layout is in the map.
 class Layout_tracer
 {
@@ -92,6 +94,8 @@ private:
     }
     for (const Integer_grid_map::Anchor& a : m_map.anchors) {
       const int h = a.layout_halfedge;
+      if (m_layout.is_border(m_layout.turn_left(h)))
+        continue;
       if (m_start[h] != m_lines.entered(m_start[h])
           || m_start[m_layout.turn_left(h)] != m_lines.entered(m_start[h].turned(1)))
         fail("directions at the anchor do not fit the map at the start of", h);
@@ -127,6 +131,9 @@ private:
   // compares the end of an edge with what is known of the vertex, or goes on from there
   void arrive(int h, const Map_heading& end)
   {
+    const int v = m_layout.target(h);
+    if (m_layout.is_on_border(v))
+      return arrive_on_border(h, end);
     const Map_heading back = m_lines.entered(end.turned(2));
     const int first = Quad_layout::opposite(h);
     if (m_start[first].is_valid()) {
@@ -134,15 +141,27 @@ private:
         fail("the map has another end for", h);
       return;
     }
-    if (m_layout.valence(m_layout.target(h)) != 4)
+    if (!m_layout.is_regular(v))
       fail("there is no anchor at the irregular end of", h);
-    int g = first;
-    for (int k = 0; k < 4; ++k, g = m_layout.turn_left(g)) {
-      m_start[g] = m_lines.entered(back.turned(k));
-      if (!m_start[g].is_valid())
+    if (!set_starts_inside(m_lines, m_layout, first, back, m_start,
+                           [this](int g) { m_queue.push(g); }))
+      fail("the map folds at the end of", h);
+  }
+
+  void arrive_on_border(int h, const Map_heading& end)
+  {
+    const int v = m_layout.target(h), first = m_layout.halfedge_from(v);
+    if (!m_start[first].is_valid()) {
+      if (!m_layout.is_regular(v))
+        fail("there is no anchor at the irregular end of", h);
+      if (!set_starts_on_border(m_lines, m_layout, v, end, m_start,
+                                [this](int g) { m_queue.push(g); }))
         fail("the map folds at the end of", h);
-      m_queue.push(g);
     }
+    const int twin = Quad_layout::opposite(h);
+    if (m_lines.along_border(end) != m_start[first]
+        || (!m_layout.is_border(twin) && m_lines.entered(end.turned(2)) != m_start[twin]))
+      fail("the map has another end for", h);
   }
 
   [[noreturn]] void fail(const std::string& what, int h) const

@@ -11,6 +11,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -51,7 +52,7 @@ public:
 
   // the same heading seen from the face that the line runs into; unique, so that headings from
   // different faces can be compared. At a vertex it is the first one counter-clockwise from the
-  // given face.
+  // given face; on the border, clockwise if there is none.
   Map_heading entered(const Map_heading& heading) const
   {
     if (!heading.is_valid())
@@ -66,10 +67,25 @@ public:
         return result;
       if (h < 0)
         h = edge_through(result);
-      if (h < 0)
+      if (h < 0 || m_map.surface().is_border(h))
         break;
       result = crossed(h, result);
     }
+    return {};
+  }
+
+  // The heading along the border at a place there, the surface on the left.
+  Map_heading along_border(const Map_heading& place) const
+  {
+    const Surface& s = m_map.surface();
+    for (int h = 3 * place.face; h < 3 * place.face + 3; ++h)
+      if (m_map.coordinates(h) == place.position) {
+        const int c = s.is_on_border(s.source(h)) ? s.halfedge(s.source(h)) : -1;
+        return c < 0 ? Map_heading() : Map_heading{Surface::face(c), m_map.coordinates(c), along(c)};
+      }
+    for (int h = 3 * place.face; h < 3 * place.face + 3; ++h)
+      if (s.is_border(h) && side(h, place.position) == ON_ORIENTED_BOUNDARY)
+        return {place.face, place.position, along(h)};
     return {};
   }
 
@@ -86,7 +102,7 @@ public:
       if (h < 0)
         break;
       append_points_before(h, line, distances, result);
-      if (result.size() == distances.size())
+      if (result.size() == distances.size() || m_map.surface().is_border(h))
         break;
       if (curve)
         curve->push_back(crossing_point(h, line));
@@ -128,6 +144,13 @@ private:
         return;
       result.push_back({line.face, p, line.direction});
     }
+  }
+
+  // the direction of h, which is parallel to an axis
+  int along(int h) const
+  {
+    const Point_2 d = m_map.coordinates(Surface::next(h)) - m_map.coordinates(h);
+    return std::abs(d.x()) > std::abs(d.y()) ? (d.x() > 0 ? 0 : 2) : (d.y() > 0 ? 1 : 3);
   }
 
   static bool is_left(const Point_2& p, const Map_heading& line)
@@ -182,13 +205,28 @@ private:
   Map_heading entered_at_vertex(Map_heading heading, int h) const
   {
     const int first = h;
+    const Map_heading start = heading;
     int rounds = 0;
     while (exit(heading) != Surface::next(h)) {
       if (rounds == 5)
         return {};
+      if (m_map.surface().turn_left(h) < 0)
+        return entered_clockwise(start, first);
       heading = crossed(Surface::prev(h), heading);
       h = m_map.surface().turn_left(h);
       rounds += h == first;
+    }
+    return heading;
+  }
+
+  // the same clockwise, at a vertex on the border
+  Map_heading entered_clockwise(Map_heading heading, int h) const
+  {
+    while (exit(heading) != Surface::next(h)) {
+      if (m_map.surface().is_border(h))
+        return {};
+      heading = crossed(h, heading);
+      h = m_map.surface().turn_right(h);
     }
     return heading;
   }

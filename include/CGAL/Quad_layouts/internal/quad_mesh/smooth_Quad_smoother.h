@@ -32,7 +32,7 @@ class Quad_smoother
 public:
   using Vector = Eigen::Vector3d;
 
-  // takes a mesh of quads; vertices on its border do not move
+  // takes a mesh of quads
   Quad_smoother(Polygons& mesh, const Surface_walk& walk)
     : m_quads(mesh, walk), m_steps(m_quads), m_last_move(mesh.number_of_vertices(), 0)
   {

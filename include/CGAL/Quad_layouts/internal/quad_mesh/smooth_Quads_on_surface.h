@@ -15,40 +15,53 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A quad mesh whose vertices have places on a surface.
+// A quad mesh whose vertices have places on a surface; those on its border, places on that of the
+// surface.
 class Quads_on_surface
 {
 public:
   using Vector = Eigen::Vector3d;
   using Place = Surface_walk::Place;
 
-  // takes a mesh of quads and puts its vertices on the surface, except those on its border
+  // Takes a mesh of quads and puts its vertices on the surface, except irregular ones on its border.
   Quads_on_surface(Polygons& mesh, const Surface_walk& walk)
     : m_mesh(mesh), m_walk(walk), m_corners(mesh.number_of_vertices()),
-      m_normals(mesh.number_of_vertices())
+      m_normals(mesh.number_of_vertices()),
+      m_border(mesh.number_of_vertices(), std::make_pair(-1, -1))
   {
-    std::vector<char> fixed(mesh.number_of_vertices(), 0);
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
       m_corners[mesh.source[h]].push_back(h);
-      if (mesh.is_border(h))
-        fixed[mesh.source[h]] = fixed[mesh.target(h)] = 1;
+      if (mesh.is_border(h)) {
+        m_border[mesh.source[h]].second = mesh.target(h);
+        m_border[mesh.target(h)].first = mesh.source[h];
+      }
     }
-    for (int v = 0; v < mesh.number_of_vertices(); ++v)
-      if (!fixed[v] && !m_corners[v].empty())
-        m_movable.push_back(v);
     place_vertices();
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+      if (!m_corners[v].empty() && (!is_on_border(v) || m_places[v].fixed_halfedge >= 0)) {
+        m_movable.push_back(v);
+        m_mesh.points[v] = m_places[v].point;
+      }
   }
 
   const Polygons& mesh() const { return m_mesh; }
   const Surface_walk& walk() const { return m_walk; }
-  // the vertices that are not on the border, ascending
+  bool is_on_border(int v) const { return m_border[v].first >= 0; }
+  // the points before and behind v on the border
+  std::pair<Vector, Vector> border_neighbours(int v) const
+  {
+    return {m_mesh.points[m_border[v].first], m_mesh.points[m_border[v].second]};
+  }
+  // the vertices that are not irregular ones on the border, ascending
   const std::vector<int>& movable() const { return m_movable; }
   // the halfedges from a vertex
   const std::vector<int>& corners(int v) const { return m_corners[v]; }
@@ -87,6 +100,8 @@ public:
     star.clear();
     for (const int h : m_corners[v])
       star.add(quad_from(h));
+    if (is_on_border(v))
+      star.add_edge(m_mesh.points[m_border[v].first], m_normals[m_border[v].first]);
     star.weigh_edges();
   }
 
@@ -124,10 +139,11 @@ private:
       for (const int h : m_corners[v])
         normal += area_vector(quad(m_mesh.face[h]));
       m_places.push_back(m_walk.locate(m_mesh.points[v], normal, 0.25 * edge_length(v)));
+      constexpr std::size_t of_regular_vertex = 2;
+      if (is_on_border(v) && m_corners[v].size() == of_regular_vertex)
+        m_places[v] = m_walk.nearest_on_fixed_edges(m_places[v]);
       m_normals[v] = m_walk.normal(m_places[v]);
     }
-    for (const int v : m_movable)
-      m_mesh.points[v] = m_places[v].point;
   }
 
   Quad_on_surface quad_from(int h) const
@@ -146,6 +162,7 @@ private:
   std::vector<int> m_movable;
   std::vector<Place> m_places;
   std::vector<Vector> m_normals;
+  std::vector<std::pair<int, int>> m_border; // per vertex those before and behind it on the border
 };
 
 } // namespace internal

@@ -73,7 +73,11 @@ public:
   using Vector = Eigen::Vector3d;
 
   // begins an empty star
-  void clear() { m_sectors.clear(); }
+  void clear()
+  {
+    m_sectors.clear();
+    m_edges.clear();
+  }
 
   // adds a quad whose corner 0 is the vertex; its side from corner 0 to corner 1 is an edge of the
   // star
@@ -83,6 +87,9 @@ public:
     m_sectors.emplace_back(q, (n[0] + n[1] + n[2] + n[3]).normalized(), 1.);
   }
 
+  // adds an edge that is the first side of no quad, because it is on the border
+  void add_edge(const Vector& end, const Vector& normal) { m_edges.push_back({end, normal, 1.}); }
+
   const Vector& position() const { return m_sectors.front().quad[0]; }
 
   // the mean of the squared lengths of the edges
@@ -91,7 +98,9 @@ public:
     double sum = 0;
     for (const Sector& s : m_sectors)
       sum += (s.quad[1] - s.quad[0]).squaredNorm();
-    return sum / double(m_sectors.size());
+    for (const Edge& e : m_edges)
+      sum += (e.end - position()).squaredNorm();
+    return sum / number_of_edges();
   }
 
   // Gives each edge a weight, 1 on average, that grows with its length and with the turn of the
@@ -107,9 +116,17 @@ public:
                            bend * (s.normals[1] - s.normals[0]).squaredNorm());
       sum += s.weight;
     }
-    if (sum > 0)
-      for (Sector& s : m_sectors)
-        s.weight *= double(m_sectors.size()) / sum;
+    for (Edge& e : m_edges) {
+      e.weight = std::sqrt((e.end - position()).squaredNorm() +
+                           bend * (e.normal - m_sectors.front().normals[0]).squaredNorm());
+      sum += e.weight;
+    }
+    if (!(sum > 0))
+      return;
+    for (Sector& s : m_sectors)
+      s.weight *= number_of_edges() / sum;
+    for (Edge& e : m_edges)
+      e.weight *= number_of_edges() / sum;
   }
 
   // the weighted mean of the neighbours
@@ -118,7 +135,9 @@ public:
     Vector sum = Vector::Zero();
     for (const Sector& s : m_sectors)
       sum += s.weight * s.quad[1];
-    return sum / double(m_sectors.size());
+    for (const Edge& e : m_edges)
+      sum += e.weight * e.end;
+    return sum / number_of_edges();
   }
 
   // says if each quad stays as good as it is, or at least sufficiently good, when the vertex moves
@@ -139,10 +158,18 @@ public:
     for (const Sector& s : m_sectors)
       sum += shape_energy(s.moved_to(x), s.mean_normal) +
              spring * s.weight * (s.quad[1] - x).squaredNorm();
+    for (const Edge& e : m_edges)
+      sum += spring * e.weight * (e.end - x).squaredNorm();
     return sum;
   }
 
 private:
+  struct Edge
+  {
+    Vector end, normal;
+    double weight;
+  };
+
   struct Sector : Quad_on_surface
   {
     Sector(const Quad_on_surface& q, const Vector& mean_normal, double weight)
@@ -155,7 +182,10 @@ private:
     double weight;
   };
 
+  double number_of_edges() const { return double(m_sectors.size() + m_edges.size()); }
+
   std::vector<Sector> m_sectors;
+  std::vector<Edge> m_edges;
 };
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -25,7 +26,8 @@ namespace internal {
 //
 // A point knows its triangle, and follows a target in space by walking from triangle to triangle as
 // long as that brings it closer. Unlike a search for the nearest point of the whole surface this is
-// fast, and can never jump to the other sheet of a thin part.
+// fast, and can never jump to the other sheet of a thin part. Points on fixed edges of the surface,
+// like those of its border, go from fixed edge to fixed edge in the same way.
 class Surface_walk
 {
 public:
@@ -35,6 +37,7 @@ public:
   {
     Vector point;
     int face;
+    int fixed_halfedge = -1; // that of the face on which the point has to stay
   };
 
   explicit Surface_walk(const Triangle_surface& surface)
@@ -59,6 +62,34 @@ public:
     return {chosen.point, chosen.triangle};
   }
 
+  // the place on fixed edges of the faces around `place` that is nearest to its point, or `place`
+  // itself if there are none
+  Place nearest_on_fixed_edges(const Place& place) const
+  {
+    Place best = place;
+    double least = (std::numeric_limits<double>::infinity)();
+    for (int corner = 3 * place.face; corner < 3 * place.face + 3; ++corner)
+      m_surface.for_each_outgoing(m_surface.source(corner), [&](int g) {
+        const int first = 3 * m_surface.face(g);
+        for (int h = first; h < first + 3; ++h) {
+          if (!m_surface.is_fixed(h))
+            continue;
+          const Vector p = nearest_on_edge(h, place.point).point;
+          if ((p - place.point).squaredNorm() < least) {
+            least = (p - place.point).squaredNorm();
+            best = {p, m_surface.face(h), h};
+          }
+        }
+      });
+    return best;
+  }
+
+  // the direction of the fixed edge of a place that has to stay there
+  Vector tangent(const Place& place) const
+  {
+    return m_surface.vector(place.fixed_halfedge).stableNormalized();
+  }
+
   // Returns the unit normal of the triangle nearest to p. If that is no single one, as they share
   // an edge or vertex, the normal is the one that agrees least with `direction`.
   Vector nearest_normal(const Vector& p, const Vector& direction) const
@@ -76,6 +107,8 @@ public:
   // the place to which a point that follows `target` gets from `start`
   Place slide(const Place& start, const Vector& target) const
   {
+    if (start.fixed_halfedge >= 0)
+      return slide_on_fixed_edges(start, target);
     Projection here = project(start.face, target);
     while (step_closer(target, here)) {}
     return {here.point, here.face};
@@ -147,6 +180,44 @@ private:
       best.squared_distance = (best.point - target).squaredNorm();
     }
     return best;
+  }
+
+  Projection nearest_on_edge(int h, const Vector& p) const
+  {
+    return project_to_edge(h, m_surface.vector(h), p - m_surface.point(m_surface.source(h)), p);
+  }
+
+  Place slide_on_fixed_edges(const Place& start, const Vector& target) const
+  {
+    int h = start.fixed_halfedge;
+    Projection here = nearest_on_edge(h, target);
+    while (here.where == Projection::AT_VERTEX) {
+      const int g = other_fixed_edge(h, m_surface.source(here.halfedge));
+      if (g < 0)
+        break;
+      const Projection there = nearest_on_edge(g, target);
+      if (!(there.squared_distance < here.squared_distance))
+        break;
+      here = there;
+      h = g;
+    }
+    return {here.point, m_surface.face(h), h};
+  }
+
+  // the fixed edge that goes on at v, an end of the fixed edge of h; -1 if none does, or several do
+  int other_fixed_edge(int h, int v) const
+  {
+    int result = -1, count = 0;
+    const auto consider = [&](int g) {
+      if (m_surface.is_fixed(g) && m_surface.edge(g) != m_surface.edge(h)) {
+        result = g;
+        ++count;
+      }
+    };
+    m_surface.for_each_outgoing(v, consider);
+    if (m_surface.is_on_border(v))
+      consider(m_surface.border_halfedge_to(v));
+    return count == 1 ? result : -1;
   }
 
   Projection project_to_edge(int h, const Vector& side, const Vector& to_target,

@@ -35,14 +35,14 @@ public:
   void relax(int v)
   {
     m_quads.gather_star(v, m_star);
-    try_move(v, m_star.barycentre() - m_star.position(), [](const Vector&) { return true; });
+    try_move(v, centre_of_neighbours(v) - m_star.position(), [](const Vector&) { return true; });
   }
 
   // moves v to the weighted mean of its neighbours, whatever becomes of the quads
   void relax_freely(int v)
   {
     m_quads.gather_star(v, m_star);
-    m_quads.slide(v, m_star.barycentre());
+    m_quads.slide(v, centre_of_neighbours(v));
   }
 
   // makes a Newton step on the energy of the star
@@ -53,11 +53,24 @@ public:
     if (!(l2 > 0))
       return;
     const double spring = spring_weight / l2, before = m_star.energy(m_star.position(), spring);
-    try_move(v, newton_step(m_quads.normal(v), spring, std::sqrt(l2)),
+    const Surface_walk::Place& place = m_quads.place(v);
+    try_move(v,
+             place.fixed_halfedge < 0
+                 ? newton_step(m_quads.normal(v), spring, std::sqrt(l2))
+                 : newton_step_along(m_quads.walk().tangent(place), spring, std::sqrt(l2)),
              [&](const Vector& y) { return m_star.energy(y, spring) < before; });
   }
 
 private:
+  // the weighted mean of the neighbours, on the border that of those on the border
+  Vector centre_of_neighbours(int v) const
+  {
+    if (!m_quads.is_on_border(v))
+      return m_star.barycentre();
+    const auto [before, behind] = m_quads.border_neighbours(v);
+    return (before + behind) / 2;
+  }
+
   // moves v by `step`, or less, to where its quads and `accepts` say yes
   template <class Accepts>
   void try_move(int v, const Vector& step, const Accepts& accepts)
@@ -94,6 +107,20 @@ private:
     if (d.norm() > longest)
       d *= longest / d.norm();
     return d.x() * t1 + d.y() * t2;
+  }
+
+  // the same along a line with the given direction, from three samples
+  Vector newton_step_along(const Vector& direction, double spring, double edge_length) const
+  {
+    const double h = 1e-3 * edge_length, longest = 0.5 * edge_length;
+    const auto at = [&](double a) {
+      return m_star.energy(m_star.position() + a * direction, spring);
+    };
+    const double e0 = at(0), after = at(h), before = at(-h);
+    const double slope = (after - before) / (2 * h),
+                 curvature = std::abs(after - 2 * e0 + before) / (h * h);
+    const double step = curvature > 0 ? -slope / curvature : 0;
+    return std::clamp(step, -longest, longest) * direction;
   }
 
   Quads_on_surface& m_quads;

@@ -65,7 +65,7 @@ private:
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     const auto expand = [&](int from, double distance) {
       for (int s : m_graph.successors(from)) {
-        const double d = distance + price[s / 2];
+        const double d = distance + (s == m_graph.outside() ? 0 : price[s / 2]);
         if (d >= m_distance[s] || d >= limit)
           continue;
         if (m_distance[s] == infinity())
@@ -91,7 +91,8 @@ private:
   {
     Loop result(1, start / 2);
     for (int s = m_parent[start]; s != start; s = m_parent[s])
-      result.push_back(s / 2);
+      if (s != m_graph.outside())
+        result.push_back(s / 2);
     return result;
   }
 

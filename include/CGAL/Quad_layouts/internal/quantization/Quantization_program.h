@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_wishes.h>
+#include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 #include <CGAL/Quad_layouts/internal/quantization/alignments.h>
 #include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
 #include <CGAL/Quad_layouts/internal/quantization/mirrored_arcs.h>
@@ -43,13 +44,14 @@ struct Quantization_program
   {
     std::vector<int> left, right;
   };
-  // rows (2) and (6) of one trace: per entry k, the sum of q over the first k arcs must be
-  // positive; ascending
+  // rows (2) and (6) of one run: per entry k, the sum of q over the first k arcs must be positive;
+  // ascending
   using Prefixes = std::vector<int>;
 
   std::vector<double> weight;                   // per arc, Equation (1)
   std::vector<Equation> equations;              // two per patch
-  std::vector<Prefixes> prefixes;               // per trace
+  std::vector<std::vector<int>> runs;           // the arcs of each
+  std::vector<Prefixes> prefixes;               // per run
   std::vector<int> singularities;               // the nodes that have an index row (5)
   std::vector<Close_pair> pairs;                // the indicators (3), one per unordered pair
   std::vector<std::pair<int, int>> index_range; // per node, for its row (5)
@@ -72,15 +74,6 @@ struct Quantization_program
   // the penalty of a violated row, Equation (9)
   double penalty() const { return std::accumulate(weight.begin(), weight.end(), 0.); }
 };
-
-// returns the lengths of the first 0, 1, 2, ... arcs of trace `t`
-inline std::vector<double> cumulative_lengths(const T_mesh& t_mesh, int t)
-{
-  std::vector<double> result(1, 0.);
-  for (int a : t_mesh.traces[t].arcs)
-    result.push_back(result.back() + t_mesh.length(a));
-  return result;
-}
 
 namespace quantization_program {
 
@@ -130,30 +123,44 @@ inline bool must_be_positive(double own, double other, bool own_is_longer,
                        : own - demands.reach > demands.tangent * (other + demands.reach);
 }
 
-// returns per trace the prefixes that rows (2) and (6) ask to be positive. Of two legs that one is
-// the longer which was it in tracing, as the T-mesh has noted: also if they are equally long, or
-// sums of lengths are rounded in another way.
-inline std::vector<Quantization_program::Prefixes> prefixes(
-    const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
-    const Quantization_demands& demands)
+// says if run `t` leads from one singularity or seed to another
+inline bool leads_to_singularity(const T_mesh& t_mesh, const Run& run)
 {
-  std::vector<Quantization_program::Prefixes> result(t_mesh.traces.size());
-  for (const auto& visits : t_mesh.node_visits) {
-    if (visits.size() != 2)
-      continue;
+  if (run.arcs.empty())
+    return false;
+  const int a = run.arcs.back();
+  return t_mesh.is_border_edge(a) || t_mesh.is_singularity_or_seed(t_mesh.target(2 * a));
+}
+
+// says if visit k of a meeting is that of the longer run. In the interior it is the one that was it
+// in tracing, as the T-mesh has noted: also if they are equally long, or sums of lengths are rounded
+// in another way.
+inline bool is_longer(const Run_meeting& meeting, int k, const Runs& runs)
+{
+  const auto key = [&](const Run_visit& v) {
+    return std::make_tuple(runs.length(v), v.run, v.arcs);
+  };
+  return meeting.on_border ? key(meeting.visits[k]) > key(meeting.visits[1 - k]) : k == 1;
+}
+
+// returns per run the prefixes that rows (2) and (6) ask to be positive. Nothing is to fall onto the
+// border, where it would turn a border that is smooth there into a corner.
+inline std::vector<Quantization_program::Prefixes> prefixes(const T_mesh& t_mesh, const Runs& runs,
+                                                            const Quantization_demands& demands)
+{
+  std::vector<Quantization_program::Prefixes> result(runs.size());
+  for (const Run_meeting& meeting : runs.meetings())
     for (int k : {0, 1}) {
-      const T_mesh::Visit &own = visits[k], &other = visits[1 - k];
-      if (must_be_positive(lengths[own.trace][own.arcs], lengths[other.trace][other.arcs], k == 1,
-                           demands))
-        result[own.trace].push_back(own.arcs);
+      const Run_visit& visit = meeting.visits[k];
+      if ((meeting.on_border && k == 1) ||
+          must_be_positive(runs.length(visit), runs.length(meeting.visits[1 - k]),
+                           is_longer(meeting, k, runs), demands))
+        result[visit.run].push_back(visit.arcs);
     }
-  }
-  // a trace that runs into a singularity meets it at distance 0 on the other leg
-  for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
-    if (!t_mesh.traces[t].arcs.empty() &&
-        t_mesh.is_singularity_or_seed(t_mesh.target(2 * t_mesh.traces[t].arcs.back())) &&
-        lengths[t].back() > demands.reach)
-      result[t].push_back(int(t_mesh.traces[t].arcs.size()));
+  // a run that leads to a singularity meets it at distance 0 on the other leg
+  for (int r = 0; r < runs.size(); ++r)
+    if (leads_to_singularity(t_mesh, runs[r]) && runs[r].lengths.back() > demands.reach)
+      result[r].push_back(int(runs[r].arcs.size()));
   for (auto& p : result)
     std::sort(p.begin(), p.end());
   return result;
@@ -204,15 +211,14 @@ inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
                                                        const Quantization_demands& demands,
                                                        const Quantization_wishes& wishes = {})
 {
-  std::vector<std::vector<double>> lengths;
-  for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
-    lengths.push_back(cumulative_lengths(t_mesh, int(t)));
-
+  const Runs runs(t_mesh);
   Quantization_program result;
   result.weight = quantization_program::weights(t_mesh, t_mesh.arc_length);
   result.equations = quantization_program::equations(t_mesh);
-  result.prefixes = quantization_program::prefixes(t_mesh, lengths, demands);
-  result.pairs = close_pairs(t_mesh, lengths, demands.reach);
+  for (int r = 0; r < runs.size(); ++r)
+    result.runs.push_back(runs[r].arcs);
+  result.prefixes = quantization_program::prefixes(t_mesh, runs, demands);
+  result.pairs = close_pairs(t_mesh, runs, demands.reach);
   result.index_range.assign(t_mesh.number_of_vertices(),
                             {demands.minimum_index, demands.maximum_index});
   for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
@@ -220,10 +226,12 @@ inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
       result.singularities.push_back(n);
       // a singularity that is out of the range by itself is not to blame for it
       auto& range = result.index_range[n];
+      if (t_mesh.is_on_border(n)) // where two quadrants less would leave none
+        range.second = (std::min)(range.second, 1);
       range.first = (std::min)(range.first, t_mesh.index(n));
       range.second = (std::max)(range.second, t_mesh.index(n));
     }
-  quantization_program::add_wishes(t_mesh, lengths, wishes, result);
+  quantization_program::add_wishes(t_mesh, runs.lengths(), wishes, result);
   return result;
 }
 

@@ -7,10 +7,10 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 
-#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/minimal_sets.h>
 #include <CGAL/Quad_layouts/internal/quantization/zero_half_cuts.h>
+#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>
 #include <map>
@@ -24,7 +24,7 @@ namespace internal {
 // An equivalent of `Quantization_program` in fewer variables and rows.
 //
 // - Arcs that share a variable of the dual graph have the same value; arcs without one are 0.
-// - Rows (2) and (6) of a trace ask for positive prefixes: the shortest one implies the others.
+// - Rows (2) and (6) of a run ask for positive prefixes: the shortest one implies the others.
 //   Prefixes of length 0 in every consistent quantization are given up and counted. The others can
 //   be satisfied all at once, by the sum of dual loops through them, so they need no slack: paying
 //   the penalty is no gain while the whole rest of the objective is below it. Where it is not,
@@ -74,7 +74,7 @@ struct Reduced_program
   // implied by the other hard rows, but not in the relaxation; columns are the variables, then the
   // indicators
   std::vector<Integer_row> strengthening;
-  int violated_rows = 0;        // of (2) and (6), in every quantization
+  int violated_rows = 0; // of (2) and (6), in every quantization
   bool index_rows_are_soft =
       false; // as in (8): keeping all apart that can be kept apart violates some
   double penalty = 0;
@@ -140,14 +140,13 @@ inline std::vector<std::vector<std::pair<int, int>>> reduced(
   return result;
 }
 
-// adds the shortest required prefix of each trace that can be positive at all
-inline void add_covers(const T_mesh& t_mesh, const Quantization_program& program,
-                       Reduced_program& result)
+// adds the shortest required prefix of each run that can be positive at all
+inline void add_covers(const Quantization_program& program, Reduced_program& result)
 {
   std::vector<Reduced_program::Set> sets;
-  for (std::size_t t = 0; t < program.prefixes.size(); ++t) {
-    const auto& arcs = t_mesh.traces[t].arcs;
-    for (int k : program.prefixes[t]) {
+  for (std::size_t r = 0; r < program.prefixes.size(); ++r) {
+    const auto& arcs = program.runs[r];
+    for (int k : program.prefixes[r]) {
       const auto set = result.set_of({arcs.begin(), arcs.begin() + k});
       if (!set.empty()) {
         sets.push_back(set);
@@ -226,7 +225,7 @@ inline Reduced_program reduce(const T_mesh& t_mesh, const Quantization_program& 
   }
   result.equations = reduction::reduced(program.equations, result.variable);
   result.mirrored = reduction::reduced(program.mirrored, result.variable);
-  reduction::add_covers(t_mesh, program, result);
+  reduction::add_covers(program, result);
   reduction::add_index_rows(t_mesh, program, result);
   reduction::add_wishes(t_mesh, program, result);
   return result;

@@ -37,14 +37,13 @@ inline long sum_over(const std::vector<int>& arcs, const std::vector<int>& q)
   return result;
 }
 
-// counts the prefixes of trace `t` that should be positive and are not
-inline int violated_prefixes(const T_mesh& t_mesh, const Quantization_program& program, int t,
-                             const std::vector<int>& q)
+// counts the prefixes of run `r` that should be positive and are not
+inline int violated_prefixes(const Quantization_program& program, int r, const std::vector<int>& q)
 {
-  const auto& arcs = t_mesh.traces[t].arcs;
+  const auto& arcs = program.runs[r];
   const auto zero = std::find_if(arcs.begin(), arcs.end(), [&](int a) { return q[a] != 0; }) -
                     arcs.begin();
-  const auto& p = program.prefixes[t];
+  const auto& p = program.prefixes[r];
   return int(std::upper_bound(p.begin(), p.end(), int(zero)) - p.begin());
 }
 
@@ -64,9 +63,8 @@ inline std::vector<int> estimated_indices(const T_mesh& t_mesh, const Quantizati
 inline bool are_equal(const std::vector<Quantization_program::Equation>& equations,
                       const std::vector<int>& q)
 {
-  return std::all_of(equations.begin(), equations.end(), [&](const auto& e) {
-    return sum_over(e.left, q) == sum_over(e.right, q);
-  });
+  return std::all_of(equations.begin(), equations.end(),
+                     [&](const auto& e) { return sum_over(e.left, q) == sum_over(e.right, q); });
 }
 
 inline bool grants_wishes(const Quantization_program& program, const std::vector<int>& q)
@@ -92,8 +90,8 @@ inline Quantization_check check_quantization(const T_mesh& t_mesh,
   result.consistent = std::all_of(q.begin(), q.end(), [](int x) { return x >= 0; }) &&
                       are_equal(program.equations, q);
   result.grants_wishes = grants_wishes(program, q);
-  for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
-    result.violated_rows += violated_prefixes(t_mesh, program, int(t), q);
+  for (std::size_t r = 0; r < program.runs.size(); ++r)
+    result.violated_rows += violated_prefixes(program, int(r), q);
   const std::vector<int> index = estimated_indices(t_mesh, program, q);
   for (int n : program.singularities) {
     const auto range = program.index_range[n];

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_CLOSE_PAIRS_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 
 #include <algorithm>
 #include <functional>
@@ -96,18 +97,15 @@ private:
   std::vector<int> m_halfedge, m_reached;
 };
 
-// returns the pairs of singularities that rows (2) do not separate: those whose traces meet within
+// returns the pairs of singularities that rows (2) do not separate: those whose runs meet within
 // `reach` of both, and those joined by a path of at most this length
-inline std::vector<Close_pair> close_pairs(const T_mesh& t_mesh,
-                                           const std::vector<std::vector<double>>& lengths,
-                                           double reach)
+inline std::vector<Close_pair> close_pairs(const T_mesh& t_mesh, const Runs& runs, double reach)
 {
   std::map<std::pair<int, int>, bool> is_close;
-  for (const auto& visits : t_mesh.node_visits) {
-    if (visits.size() != 2 || lengths[visits[0].trace][visits[0].arcs] > reach ||
-        lengths[visits[1].trace][visits[1].arcs] > reach)
+  for (const Run_meeting& m : runs.meetings()) {
+    if (runs.length(m.visits[0]) > reach || runs.length(m.visits[1]) > reach)
       continue;
-    const int i = t_mesh.traces[visits[0].trace].start, j = t_mesh.traces[visits[1].trace].start;
+    const int i = runs[m.visits[0].run].start, j = runs[m.visits[1].run].start;
     is_close[std::minmax(i, j)] = true;
   }
   std::vector<Close_pair> result;

@@ -19,7 +19,7 @@ namespace internal {
 
 // returns the dual loops whose sum is the consistent quantization `q`, each as the arcs that it
 // crosses: the i-th unit on a side of a patch, counted along the side, continues as the i-th last
-// one on the opposite side
+// one on the opposite side, up to the border if there is one
 inline std::vector<std::vector<int>> dual_loops(const T_mesh& t_mesh, const std::vector<int>& q)
 {
   // where the units of a halfedge begin on its side, and all units of the side in order
@@ -59,17 +59,27 @@ inline std::vector<std::vector<int>> dual_loops(const T_mesh& t_mesh, const std:
     return visited[a][u.halfedge % 2 == 0 ? u.number : q[a] - 1 - u.number];
   };
   std::vector<std::vector<int>> result;
-  for (std::size_t a = 0; a < q.size(); ++a)
+  const auto follow_units_of = [&](int h) {
+    const int a = T_mesh::edge(h);
     for (int i = 0; i < q[a]; ++i) {
-      Unit u{2 * int(a), i};
+      Unit u{h, i};
       if (mark(u))
         continue;
       result.emplace_back();
-      for (; !mark(u); u = step(u)) {
+      for (bool goes_on = true; goes_on && !mark(u);) {
         mark(u) = 1;
         result.back().push_back(T_mesh::edge(u.halfedge));
+        goes_on = !t_mesh.is_border(u.halfedge);
+        if (goes_on)
+          u = step(u);
       }
     }
+  };
+  for (int h = 0; h < t_mesh.number_of_halfedges(); ++h)
+    if (t_mesh.is_border(T_mesh::opposite(h)))
+      follow_units_of(h);
+  for (std::size_t a = 0; a < q.size(); ++a)
+    follow_units_of(2 * int(a));
   return result;
 }
 

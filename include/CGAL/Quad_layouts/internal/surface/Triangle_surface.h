@@ -28,10 +28,13 @@ using Point2 = Eigen::Vector2d;
 
 // The working copy of the input: an oriented, manifold triangle mesh in index arrays.
 //
-// Vertex v and face f are the v-th vertex and f-th face of the user's mesh. Face f owns the
-// halfedges 3f, 3f+1, 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its
+// Vertex v and face f are the v-th vertex and f-th face of the user's mesh, or a part of that face.
+// Parts that are added to those of the mesh come behind them. Face f owns the halfedges 3f, 3f+1, 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its
 // left. A halfedge also stands for the corner of its face at its source. Border halfedges do not
 // exist: the opposite of a halfedge on the border is -1.
+//
+// *Fixed* edges form the curves that the field is aligned to, that are lines of the T-mesh and of
+// the layout, and on which vertices of the quad mesh stay. Edges on the border are fixed.
 //
 // Each face has a frame: x along its halfedge 3f, y to the left of it. Angles in a face are in
 // radians, counter-clockwise, in this frame. All of it is intrinsic: it needs lengths, not normals.
@@ -41,9 +44,10 @@ public:
   Triangle_surface() = default;
 
   // takes faces whose directed edges are unique (checked) and whose vertices are manifold (not
-  // checked)
-  Triangle_surface(std::vector<Point> points, const std::vector<std::array<int, 3>>& triangles)
-    : m_points(std::move(points))
+  // checked), and the faces of the user's mesh that they are parts of; none if these are the same
+  Triangle_surface(std::vector<Point> points, const std::vector<std::array<int, 3>>& triangles,
+                   std::vector<int> origins = {})
+    : m_points(std::move(points)), m_origin(std::move(origins))
   {
     m_source.reserve(3 * triangles.size());
     for (const auto& t : triangles)
@@ -75,6 +79,31 @@ public:
   // edges are numbered; each has a canonical halfedge, the smaller of the two
   int edge(int h) const { return m_edge[h]; }
   int halfedge_of_edge(int e) const { return m_edge_halfedge[e]; }
+
+  // the face of the user's mesh that f is, or is a part of
+  int origin(int f) const { return m_origin.empty() ? f : m_origin[f]; }
+
+  bool is_border(int h) const { return m_opposite[h] < 0; }
+  bool is_on_border(int v) const { return halfedge(v) >= 0 && is_border(halfedge(v)); }
+  // the halfedge on the border that ends in v, a vertex on the border
+  int border_halfedge_to(int v) const
+  {
+    int last = halfedge(v);
+    for_each_outgoing(v, [&](int h) { last = h; });
+    return prev(last);
+  }
+
+  // of a halfedge: whether its edge is fixed
+  bool is_fixed(int h) const { return m_is_fixed[m_edge[h]] != 0; }
+  void fix(int h) { m_is_fixed[m_edge[h]] = 1; }
+  // of a face: its fixed halfedge, -1 if it has none, one of them if it has several
+  int fixed_halfedge(int f) const
+  {
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      if (is_fixed(h))
+        return h;
+    return -1;
+  }
 
   const Point& point(int v) const { return m_points[v]; }
   const std::vector<Point>& points() const { return m_points; }
@@ -190,10 +219,16 @@ private:
       if (m_vertex_halfedge[source(h)] < 0 || m_opposite[h] < 0)
         m_vertex_halfedge[source(h)] = h;
     }
+    m_is_fixed.assign(number_of_edges(), 0);
+    for (int h = 0; h < nh; ++h)
+      if (m_opposite[h] < 0)
+        m_is_fixed[m_edge[h]] = 1;
   }
 
   std::vector<Point> m_points;
+  std::vector<int> m_origin; // per face, empty if each is its own
   std::vector<int> m_source, m_opposite, m_edge, m_vertex_halfedge, m_edge_halfedge;
+  std::vector<char> m_is_fixed; // per edge
 };
 
 } // namespace internal

@@ -119,15 +119,6 @@ inline void check_edges(const std::vector<Triangle>& triangles)
                             std::to_string(g / 3));
 }
 
-inline void check_closed(const Triangle_surface& surface)
-{
-  for (int h = 0; h < surface.number_of_halfedges(); ++h)
-    if (surface.opposite(h) < 0)
-      throw Mesh_with_border(named_edge(surface.source(h), surface.target(h)) + " of face " +
-                             std::to_string(surface.face(h)) +
-                             " is on the border; a closed surface is required");
-}
-
 // The corners at a vertex form one cycle exactly if turning about it meets as many as there are.
 inline void check_vertices(const Triangle_surface& surface)
 {
@@ -141,8 +132,7 @@ inline void check_vertices(const Triangle_surface& surface)
   }
 }
 
-// returns the surface of the given faces, or throws if it is not a closed manifold of proper
-// triangles; in time O(n log n)
+// returns the surface of the given faces, or throws if it is not a manifold of proper triangles; in time O(n log n)
 inline Triangle_surface make_checked_surface(std::vector<Point> points,
                                              const std::vector<Triangle>& triangles)
 {
@@ -153,7 +143,6 @@ inline Triangle_surface make_checked_surface(std::vector<Point> points,
   check_no_duplicate_face(triangles);
   check_edges(triangles);
   Triangle_surface surface(std::move(points), triangles);
-  check_closed(surface);
   check_vertices(surface);
   return surface;
 }

@@ -92,6 +92,8 @@ public:
                m_map.leave({h, parameter(from)}, direction));
   }
 
+  bool ends_on_border(int c) const { return m_surface->is_border(m_chords[c].to.halfedge); }
+
   // the side of crossing x (0 or 1) that belongs to chord c
   int side(int x, int c) const { return m_crossings[x].chord[0] == c ? 0 : 1; }
 
@@ -110,6 +112,7 @@ public:
     return counter_clockwise(from, place_of_right_end(x, c), place_of_right_end(y, c));
   }
 
+  Point point_of_end(int c) const { return point(m_chords[c].to); }
   Point point(const Crossing& x) const
   {
     const Chord& c = m_chords[x.chord[0]];

@@ -27,7 +27,8 @@ namespace internal {
 // *variable*. A *state* is a variable and one of the two ways to cross it: 2v and 2v + 1.
 // `successors(s)` are the states in which a line can cross next. The consistent quantizations are
 // the sums of closed walks (*dual loops*), because units on opposite sides of each patch can be
-// paired. Hence an arc on no closed walk has length 0 in every consistent quantization; such arcs
+// paired. Lines from border to border count as closed: the last state, `outside()`, follows all that
+// leave the surface, and is followed by all that enter it. Hence an arc on no closed walk has length 0 in every consistent quantization; such arcs
 // have no variable.
 class Dual_graph
 {
@@ -43,29 +44,31 @@ public:
     for (int h = 0; h < t_mesh.number_of_halfedges(); h += 2)
       if (m_state[h] < 0)
         share(h, count++);
-    link(2 * count);
+    link(t_mesh, 2 * count);
     for (int a : zero_arcs)
       for (int h : {2 * a, 2 * a + 1})
         m_successors[m_state[h]].clear();
-    drop_dead_ends(2 * count);
+    drop_dead_ends();
   }
 
-  int number_of_variables() const { return int(m_successors.size()) / 2; }
+  int number_of_variables() const { return outside() / 2; }
   int number_of_states() const { return int(m_successors.size()); }
+  int outside() const { return number_of_states() - 1; }
   // the state of a line that crosses the arc of `h` into the patch of `h`; -1 if no closed line
   // does
   int state(int h) const { return m_state[h]; }
   // -1 if the arc has length 0 in every consistent quantization
   int variable(int arc) const { return m_state[2 * arc] < 0 ? -1 : m_state[2 * arc] / 2; }
   const std::vector<int>& successors(int state) const { return m_successors[state]; }
-  // the halfedges of the side of its patch that h is on, and of the opposite one
+  // the halfedges of the side of its patch that h is on, and of the opposite one; none if h has no
+  // patch
   const std::vector<int>& side(int h) const { return m_arcs[m_side[h]]; }
   const std::vector<int>& opposite_side(int h) const { return m_arcs[m_side[h] ^ 2]; }
 
 private:
   void find_opposite_sides(const T_mesh& t_mesh)
   {
-    m_side.resize(t_mesh.number_of_halfedges());
+    m_side.assign(t_mesh.number_of_halfedges(), 4 * t_mesh.number_of_faces());
     for (int p = 0; p < t_mesh.number_of_faces(); ++p) {
       auto sides = t_mesh.sides(p);
       for (int k = 0; k < 4; ++k) {
@@ -74,6 +77,7 @@ private:
         m_arcs.push_back(std::move(sides[k]));
       }
     }
+    m_arcs.resize(m_arcs.size() + 4);
   }
 
   bool is_simple(int h) const { return side(h).size() == 1 && opposite_side(h).size() == 1; }
@@ -96,14 +100,18 @@ private:
     }
   }
 
-  void link(int states)
+  // `outside` is the number of the other states
+  void link(const T_mesh& t_mesh, int outside)
   {
-    m_successors.assign(states, {});
+    m_successors.assign(outside + 1, {});
     for (std::size_t h = 0; h < m_state.size(); ++h)
-      if (!is_simple(int(h)))
+      if (t_mesh.is_border(int(h))) {
+        m_successors[m_state[h]].push_back(outside);
+        m_successors[outside].push_back(m_state[h ^ 1]);
+      } else if (!is_simple(int(h)))
         for (int g : opposite_side(int(h)))
           m_successors[m_state[h]].push_back(m_state[T_mesh::opposite(g)]);
-    for (int s = 0; s < states; ++s) {
+    for (int s = 0; s < outside; ++s) {
       auto& next = m_successors[s];
       if (next.empty()) // simple patches all the way around
         next.push_back(s);
@@ -125,8 +133,9 @@ private:
   }
 
   // keeps the links on closed walks and the states that have one, and numbers the variables anew
-  void drop_dead_ends(int states)
+  void drop_dead_ends()
   {
+    const int states = number_of_states();
     const std::vector<int> component = strong_components();
     for (int s = 0; s < states; ++s) {
       auto& next = m_successors[s];
@@ -138,7 +147,7 @@ private:
     std::vector<int> renamed(states, -1);
     std::vector<std::vector<int>> kept;
     for (int s = 0; s < states; ++s)
-      if (!m_successors[s].empty()) {
+      if (!m_successors[s].empty() || s == states - 1) {
         renamed[s] = int(kept.size());
         kept.push_back(std::move(m_successors[s]));
       }

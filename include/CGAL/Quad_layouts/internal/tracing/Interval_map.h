@@ -23,7 +23,8 @@ namespace internal {
 //
 // Of the three sides, the family of lines in a direction and in its reverse has a *base*, opposite
 // an *apex*. The line through the apex hits the base in the split point; what is left of it goes to
-// the one other side, what is right of it to the other.
+// the one other side, what is right of it to the other. Lines along a side all go to the other one:
+// then the split point is an end of the base.
 class Interval_map
 {
 public:
@@ -49,7 +50,7 @@ public:
       return {base, s * (1 - t)};
     if (entry.halfedge == after)
       return {base, 1 - t * (1 - s)};
-    return t < s ? Position{before, 1 - t / s} : Position{after, (1 - t) / (1 - s)};
+    return t < s || s == 1 ? Position{before, 1 - t / s} : Position{after, (1 - t) / (1 - s)};
   }
 
   // the point where the line of `direction` that starts at the source of `corner` leaves the face
@@ -66,11 +67,15 @@ private:
   double split(int base, int direction) const
   {
     const int f = Labels::Surface::face(base);
-    if (m_labels->base(f, direction + 1) != base)
+    if (m_labels->runs_along(Labels::Surface::prev(base), direction))
+      return 0;
+    if (m_labels->runs_along(Labels::Surface::next(base), direction))
+      return 1;
+    if (m_labels->base(f, direction + 1) != base || runs_along_a_side(f, direction + 1))
       return hit(base, direction);
     // Both families share the apex. Of two directions towards it the left one comes from further
     // right, which is the larger t.
-    const int right = (*m_labels)[base] + 2, left = right + 1;
+    const int right = m_labels->quadrant(base) + 2, left = right + 1;
     double of_right = hit(base, right), of_left = hit(base, left);
     if (of_left - of_right < gap) {
       const double mean = (of_left + of_right) / 2;
@@ -78,6 +83,12 @@ private:
       of_left = mean + gap / 2;
     }
     return ((direction - right) & 1) == 0 ? of_right : of_left;
+  }
+
+  bool runs_along_a_side(int f, int direction) const
+  {
+    return m_labels->runs_along(3 * f, direction) || m_labels->runs_along(3 * f + 1, direction) ||
+           m_labels->runs_along(3 * f + 2, direction);
   }
 
   // where the straight line through the apex along `direction` meets the base

@@ -16,14 +16,17 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// For every halfedge h the quadrant of its outward normal in the cross of its face: with label l,
-// lines of the directions l and l+1 leave the face through h, lines of the directions l+2 and l+3
-// enter.
+// For every halfedge h the direction of its outward normal in the cross of its face, in eighths of
+// a turn. It is odd, 2l+1, if the normal lies between the directions l and l+1: lines of these
+// directions leave the face through h, those of the directions l+2 and l+3 enter. On fixed edges, to
+// which the field is aligned, it is even: with label 2d, lines of direction d leave through h, those
+// of direction d+2 enter, the others run along h and do not cross it.
 //
 // The increment at a corner is the label of the corner's halfedge minus that of the halfedge before
-// it. A face is valid if its increments are in {0, 1, 2} and sum to 4, that is, if its normals turn
-// around once. Then every direction enters through one side and leaves through two, or the reverse.
-// From here on the labels alone say which way lines run; angles only propose where.
+// it. A face is valid if its increments are at most 4 and sum to 8, that is, if its normals turn
+// around once. Then every direction, unless it is that of a fixed edge, enters through one side and
+// leaves through two, or the reverse. From here on the labels alone say which way lines run; angles
+// only propose where.
 class Labels
 {
 public:
@@ -34,45 +37,69 @@ public:
     : m_surface(&field.surface()), m_label(field.surface().number_of_halfedges())
   {
     for (int e = 0; e < m_surface->number_of_edges(); ++e) {
-      const int h = m_surface->halfedge_of_edge(e);
-      m_label[h] = quadrant_of_normal(field, h);
-      m_label[m_surface->opposite(h)] = (m_label[h] + 2 + field.matching(h)) & 3;
+      const int h = m_surface->halfedge_of_edge(e), g = m_surface->opposite(h);
+      if (m_surface->is_fixed(h))
+        m_label[h] = static_cast<signed char>(2 * direction_of_normal(field, h));
+      else
+        set(h, quadrant_of_normal(field, h));
+      if (g >= 0)
+        m_label[g] = static_cast<signed char>((m_label[h] + 4 + 2 * field.matching(h)) & 7);
     }
   }
 
   const Surface& surface() const { return *m_surface; }
-  int operator[](int h) const { return m_label[h]; }
-  void set(int h, int label) { m_label[h] = static_cast<signed char>(label & 3); }
+  // the direction l if the normal of h lies between the directions l and l+1, or has direction l
+  int quadrant(int h) const { return m_label[h] >> 1; }
+  // h must not be fixed
+  void set(int h, int quadrant) { m_label[h] = static_cast<signed char>(2 * (quadrant & 3) + 1); }
 
   // direction d of the face of h is direction d + turn(h) of the face on the other side
-  int turn(int h) const { return (m_label[m_surface->opposite(h)] - m_label[h] + 2) & 3; }
+  int turn(int h) const
+  {
+    return ((m_label[m_surface->opposite(h)] - m_label[h] + 4) >> 1) & 3;
+  }
 
-  bool leaves(int h, int direction) const { return ((direction - m_label[h]) & 3) < 2; }
-  int increment(int corner) const { return (m_label[corner] - m_label[Surface::prev(corner)]) & 3; }
+  bool leaves(int h, int direction) const { return ((2 * direction - m_label[h] + 1) & 7) < 3; }
+  bool runs_along(int h, int direction) const
+  {
+    return ((2 * direction - m_label[h]) & 3) == 2 && (m_label[h] & 1) == 0;
+  }
+  // in eighths
+  int increment(int corner) const { return (m_label[corner] - m_label[Surface::prev(corner)]) & 7; }
 
   bool is_valid(int f) const
   {
     const int a = increment(3 * f), b = increment(3 * f + 1), c = increment(3 * f + 2);
-    return a < 3 && b < 3 && c < 3 && a + b + c == 4;
+    return a < 5 && b < 5 && c < 5 && a + b + c == 8;
   }
 
   // the number of directions that enter through both sides of a corner: lines that start at its
-  // vertex
-  int number_of_starts(int corner) const { return 2 - increment(corner); }
+  // vertex. At most one side is fixed; lines along that are not counted.
+  int number_of_starts(int corner) const
+  {
+    const int increment = this->increment(corner);
+    return increment < 5 ? (4 - increment) / 2 : -1;
+  }
   // the i-th of these directions, from right to left as seen from the vertex
-  int start(int corner, int i) const { return (m_label[corner] + 2 + i) & 3; }
+  int start(int corner, int i) const { return (quadrant(corner) + 2 + i) & 3; }
 
-  // the number of lines that start at v. Over all vertices of a closed surface, 4 - valence sums
-  // to four times the Euler characteristic, because the corners of a valid face sum to 2
+  // the number of lines that start at v, fixed edges included
   int valence(int v) const
   {
     int sum = 0;
-    m_surface->for_each_outgoing(v, [&](int h) { sum += number_of_starts(h); });
-    return sum;
+    m_surface->for_each_outgoing(v, [&](int h) {
+      sum += number_of_starts(h) + m_surface->is_fixed(h);
+    });
+    return sum + m_surface->is_on_border(v);
   }
 
-  // the one side of f through which the lines of `direction` all enter or all leave; both others
-  // do the opposite
+  // Four minus the valence, on the border three minus the valence. Over all vertices it sums to
+  // four times the Euler characteristic, because the corners of a valid face sum to 2 starts, or to
+  // 1 if a side is fixed.
+  int index(int v) const { return (m_surface->is_on_border(v) ? 3 : 4) - valence(v); }
+
+  // The one side of f through which the lines of `direction` all enter or all leave; both others do
+  // the opposite. A side along which they run counts as one through which they enter.
   int base(int f, int direction) const
   {
     const bool a = leaves(3 * f, direction), b = leaves(3 * f + 1, direction);
@@ -82,9 +109,16 @@ public:
   }
 
 private:
-  static signed char quadrant_of_normal(const Cross_field& field, int h)
+  static constexpr double right_angle = 1.57079632679489661923;
+
+  static int direction_of_normal(const Cross_field& field, int h)
   {
-    constexpr double right_angle = 1.57079632679489661923;
+    const double normal = field.surface().halfedge_angle(h) - right_angle;
+    return int(std::lround((normal - field.angle(Surface::face(h))) / right_angle)) & 3;
+  }
+
+  static int quadrant_of_normal(const Cross_field& field, int h)
+  {
     const Surface& surface = field.surface();
     const int g = surface.opposite(h);
     const double here = field.angle(Surface::face(h));
@@ -92,12 +126,11 @@ private:
                        - surface.transport(h);
     const double mean = here + std::remainder(there - here, 4 * right_angle) / 2;
     const double normal = surface.halfedge_angle(h) - right_angle;
-    const int quadrant = int(std::floor((normal - mean) / right_angle));
-    return static_cast<signed char>(quadrant & 3);
+    return int(std::floor((normal - mean) / right_angle)) & 3;
   }
 
   const Surface* m_surface;
-  std::vector<signed char> m_label;
+  std::vector<signed char> m_label; // in eighths
 };
 
 } // namespace internal

@@ -35,7 +35,7 @@ inline bool is_longer(double a, int i, double b, int j)
 // separatrix, from the start of i to the start of j, is acceptable by the rule of Section 4.3,
 //   (l_ji - 2r) / (l_ij + 2r) <= tan alpha with l_ij > l_ji,
 // because singularities further out on that side lie behind the trace j. The later trace stops on
-// the earlier one.
+// the earlier one. All stop on the border.
 class Motorcycles
 {
 public:
@@ -53,7 +53,7 @@ public:
     int corner;                    // the halfedge from the vertex into whose face it starts
     std::vector<int> chords;
     int last_chord = -1;           // where it stops: in crossing `last_crossing` on this chord
-    int last_crossing = -1;
+    int last_crossing = -1;        // still -1 if it runs to the border
     int farthest_crossing = -1;    // the last node on it so far, on chord `farthest_chord`
     int farthest_chord = -1;
     bool met_on_left = false, met_on_right = false;
@@ -63,13 +63,15 @@ public:
   // graph that is not extended; of those beyond its end, none is
   Motorcycles(Chords& chords, const Rule& rule, const std::vector<int>& vertices,
               const std::vector<char>& is_hasty)
-    : m_chords(&chords), m_rule(rule), m_is_hasty(is_hasty)
+    : m_chords(&chords), m_rule(rule), m_starts(vertices), m_is_hasty(is_hasty)
   {
     for (int v : vertices)
       chords.labels().surface().for_each_outgoing(v, [&](int h) { start(v, h); });
   }
 
   const std::vector<Trace>& traces() const { return m_traces; }
+  // the vertices where motorcycles start, or could if they were not in a corner of the border
+  const std::vector<int>& starts() const { return m_starts; }
 
   // runs until all have stopped. Returns -1, or the face in which a motorcycle is that met nobody
   // for too long
@@ -129,7 +131,7 @@ private:
   bool go_on(int trace)
   {
     const Trace& t = m_traces[trace];
-    if (t.last_crossing >= 0)
+    if (t.last_crossing >= 0 || m_chords->ends_on_border(t.chords.back()))
       return true;
     if (t.chords.size() > std::size_t(m_rule.maximum_steps) * 10)
       return false;
@@ -233,6 +235,7 @@ private:
 
   Chords* m_chords;
   Rule m_rule;
+  std::vector<int> m_starts;
   const std::vector<char>& m_is_hasty;
   std::vector<Trace> m_traces;
   std::priority_queue<Event> m_queue;

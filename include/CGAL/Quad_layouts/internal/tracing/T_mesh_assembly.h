@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes the T-mesh of the traces of motorcycles that have all stopped.
+// Makes the T-mesh of the traces of motorcycles that have all stopped, and of the border.
 class T_mesh_assembly
 {
 public:
@@ -29,6 +29,7 @@ public:
                   const Motorcycles& motorcycles)
     : m_chords(chords), m_motorcycles(motorcycles),
       m_node_of_crossing(chords.number_of_crossings(), -1),
+      m_node_of_point(chords.order().number_of_points(), -1),
       m_halfedge_of_point(chords.order().number_of_points(), -1)
   {
     m_result.surface_pointer = std::move(surface);
@@ -38,9 +39,11 @@ public:
   {
     make_start_nodes();
     make_crossing_nodes();
+    make_border_nodes();
     m_result.corner_arcs.resize(surface().number_of_halfedges());
     for (int t = 0; t < int(m_motorcycles.traces().size()); ++t)
       make_arcs(t);
+    make_border_traces();
     connect();
     number_patches();
     collect_edge_crossings();
@@ -49,7 +52,7 @@ public:
 
 private:
   // The halfedges that leave a node, counter-clockwise; each comes `quarter_turns` after the one
-  // before it.
+  // before it, across a patch.
   struct Outgoing
   {
     int halfedge;
@@ -58,13 +61,14 @@ private:
 
   void make_start_nodes()
   {
-    const auto& traces = m_motorcycles.traces();
-    for (const auto& t : traces) {
-      if (m_result.node_surface_vertex.empty() || m_result.node_surface_vertex.back() != t.vertex)
-        make_node(surface().point(t.vertex), t.vertex, 4);
-      m_result.node_index.back() -= 1;
-      m_result.traces.push_back({m_result.number_of_vertices() - 1, {}});
+    m_node_of_vertex.assign(surface().number_of_vertices(), -1);
+    for (int v : m_motorcycles.starts()) {
+      m_node_of_vertex[v] = m_result.number_of_vertices();
+      make_node(surface().point(v), v, m_chords.labels().index(v));
     }
+    for (const auto& t : m_motorcycles.traces())
+      m_result.traces.push_back({m_node_of_vertex[t.vertex], {}});
+    m_leaving.resize(m_result.number_of_vertices());
   }
 
   // The visit of the longer trace comes second.
@@ -80,6 +84,17 @@ private:
     m_first_crossing_node = m_result.number_of_vertices() - int(m_around.size());
   }
 
+  // where traces end on the border
+  void make_border_nodes()
+  {
+    for (const auto& t : m_motorcycles.traces())
+      if (t.last_crossing < 0) {
+        m_node_of_point[m_chords.chord(t.chords.back()).to.point] = m_result.number_of_vertices();
+        make_node(m_chords.point_of_end(t.chords.back()), -1, 0);
+        m_result.node_visits.back().assign(2, {-1, -1});
+      }
+  }
+
   void make_node(const Point& point, int surface_vertex, int index)
   {
     m_result.vertex_point.push_back(point);
@@ -93,7 +108,8 @@ private:
   void make_arcs(int t)
   {
     const auto& trace = m_motorcycles.traces()[t];
-    m_result.corner_arcs[trace.corner].push_back(2 * m_result.number_of_edges());
+    m_result.corner_arcs[trace.corner].push_back(m_result.number_of_halfedges());
+    m_leaving[m_result.traces[t].start].push_back({m_result.number_of_halfedges(), 1});
     begin_arc(t, m_result.traces[t].start);
     double length = 0;
     for (int c : trace.chords) {
@@ -106,7 +122,7 @@ private:
         if (!m_chords.crossing(x).confirmed)
           continue;
         const double here = m_chords.crossing(x).length[m_chords.side(x, c)];
-        end_arc(t, x, c, here - length);
+        end_arc_in_crossing(t, x, c, here - length);
         if (c == trace.last_chord && x == trace.last_crossing)
           return;
         begin_arc(t, m_node_of_crossing[x]);
@@ -114,7 +130,9 @@ private:
         length = here;
       }
     }
-    CGAL_assertion_msg(false, "a trace has not stopped");
+    const auto& last = m_chords.chord(trace.chords.back());
+    CGAL_assertion_msg(m_node_of_point[last.to.point] >= 0, "a trace has not stopped");
+    end_arc(t, m_node_of_point[last.to.point], 1, last.end - length);
   }
 
   // the halfedge of the current arc whose left side is that of the source of the crossed edge,
@@ -134,14 +152,54 @@ private:
     m_result.halfedge_target.insert(m_result.halfedge_target.end(), {-1, node});
   }
 
-  void end_arc(int t, int x, int c, double length)
+  void end_arc_in_crossing(int t, int x, int c, double length)
   {
-    const int node = m_node_of_crossing[x], forward = m_result.number_of_halfedges() - 2;
-    m_result.halfedge_target[forward] = node;
-    m_result.arc_length.push_back(length);
-    around(x)[(quarter_turns(x, c) + 2) & 3] = forward + 1;
     const bool is_later = m_motorcycles.later_side(x) == m_chords.side(x, c);
-    m_result.node_visits[node][is_later ? 1 : 0] = {t, int(m_result.traces[t].arcs.size())};
+    end_arc(t, m_node_of_crossing[x], is_later ? 1 : 0, length);
+    around(x)[(quarter_turns(x, c) + 2) & 3] = m_result.number_of_halfedges() - 1;
+  }
+
+  // `visit`: which one of the node it is
+  void end_arc(int t, int node, int visit, double length)
+  {
+    m_result.halfedge_target[m_result.number_of_halfedges() - 2] = node;
+    m_result.arc_length.push_back(length);
+    if (!m_result.node_visits[node].empty())
+      m_result.node_visits[node][visit] = {t, int(m_result.traces[t].arcs.size())};
+  }
+
+  // From the starts on each border a trace runs along it to the next one.
+  void make_border_traces()
+  {
+    m_first_border_arc = m_result.number_of_edges();
+    m_result.edge_arcs.resize(surface().number_of_edges());
+    for (int v : m_motorcycles.starts())
+      if (surface().is_on_border(v)) {
+        m_result.traces.push_back({m_node_of_vertex[v], {}});
+        make_border_arcs(int(m_result.traces.size()) - 1, surface().halfedge(v));
+      }
+  }
+
+  void make_border_arcs(int t, int h)
+  {
+    begin_arc(t, m_result.traces[t].start);
+    double length = 0;
+    for (;; h = surface().halfedge(surface().target(h))) {
+      const int e = surface().edge(h);
+      double passed = 0; // of the edge
+      for (int p : m_chords.order().points(e))
+        if (const int node = m_node_of_point[p]; node >= 0) {
+          length += (m_chords.order().t(p) - passed) * surface().length(h);
+          passed = m_chords.order().t(p);
+          m_result.edge_arcs[e].push_back(m_result.number_of_halfedges() - 2);
+          end_arc(t, node, 0, std::exchange(length, 0));
+          begin_arc(t, node);
+        }
+      length += (1 - passed) * surface().length(h);
+      m_result.edge_arcs[e].push_back(m_result.number_of_halfedges() - 2);
+      if (const int node = m_node_of_vertex[surface().target(h)]; node >= 0)
+        return end_arc(t, node, 0, length);
+    }
   }
 
   // the halfedges that leave the node of crossing x, by quarter-turns from the direction of its
@@ -160,13 +218,32 @@ private:
   {
     m_result.halfedge_next.assign(m_result.number_of_halfedges(), -1);
     m_result.halfedge_is_corner.assign(m_result.number_of_halfedges(), 0);
-    std::vector<std::vector<Outgoing>> leaving(m_first_crossing_node);
-    for (const T_mesh::Trace& t : m_result.traces)
-      leaving[t.start].push_back({2 * t.arcs.front(), 1});
-    for (int n = 0; n < m_first_crossing_node; ++n)
-      connect_around(n, leaving[n]);
+    m_leaving.resize(m_result.number_of_vertices());
     for (int i = 0; i < int(m_around.size()); ++i)
-      connect_around(m_first_crossing_node + i, outgoing(m_around[i]));
+      m_leaving[m_first_crossing_node + i] = outgoing(m_around[i]);
+    for (int a = 0; a < m_first_border_arc; ++a)
+      if (const int n = m_result.halfedge_target[2 * a]; is_border_node(n))
+        m_leaving[n].push_back({2 * a + 1, 1});
+    add_border();
+    for (int n = 0; n < m_result.number_of_vertices(); ++n)
+      connect_around(n, m_leaving[n]);
+  }
+
+  bool is_border_node(int n) const
+  {
+    return n >= m_first_crossing_node + int(m_around.size());
+  }
+
+  // The first halfedge counter-clockwise about a border node is the one that has the border on its
+  // right, the last one is on the border.
+  void add_border()
+  {
+    for (int a = m_first_border_arc; a < m_result.number_of_edges(); ++a) {
+      auto& at_source = m_leaving[m_result.halfedge_target[2 * a + 1]];
+      at_source.insert(at_source.begin(), {2 * a, 0});
+    }
+    for (int a = m_first_border_arc; a < m_result.number_of_edges(); ++a)
+      m_leaving[m_result.halfedge_target[2 * a]].push_back({2 * a + 1, 1});
   }
 
   static std::vector<Outgoing> outgoing(const std::array<int, 4>& around)
@@ -196,7 +273,7 @@ private:
   {
     m_result.halfedge_face.assign(m_result.number_of_halfedges(), -1);
     for (int h = 0; h < m_result.number_of_halfedges(); ++h) {
-      if (m_result.halfedge_face[h] >= 0)
+      if (m_result.halfedge_face[h] >= 0 || is_outside(h))
         continue;
       const int patch = m_result.number_of_faces();
       int first = h, g = h;
@@ -210,6 +287,8 @@ private:
     }
   }
 
+  bool is_outside(int h) const { return h % 2 == 1 && h / 2 >= m_first_border_arc; }
+
   // Points behind the end of a trace have no arc. The arcs know their crossings by points so far.
   void collect_edge_crossings()
   {
@@ -222,7 +301,8 @@ private:
           position_of_point[p] = int(m_result.edge_crossings[e].size());
           m_result.edge_crossings[e].push_back(m_halfedge_of_point[p]);
           m_result.crossing_parameters[e].push_back(m_chords.order().t(p));
-        }
+        } else if (m_node_of_point[p] >= 0)
+          m_result.crossing_parameters[e].push_back(m_chords.order().t(p));
     for (auto& crossings : m_result.arc_crossings)
       for (T_mesh::Crossing& c : crossings)
         c.position = position_of_point[c.position];
@@ -232,10 +312,11 @@ private:
 
   const Chords& m_chords;
   const Motorcycles& m_motorcycles;
-  std::vector<int> m_node_of_crossing;
+  std::vector<int> m_node_of_vertex, m_node_of_crossing, m_node_of_point; // -1: no node
   std::vector<int> m_halfedge_of_point;
+  std::vector<std::vector<Outgoing>> m_leaving; // per node
   std::vector<std::array<int, 4>> m_around;   // per crossing node
-  int m_first_crossing_node = 0;
+  int m_first_crossing_node = 0, m_first_border_arc = 0;
   T_mesh m_result;
 };
 

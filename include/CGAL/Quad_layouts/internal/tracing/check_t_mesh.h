@@ -32,7 +32,8 @@ inline void check_corners(const T_mesh& t_mesh)
 {
   std::vector<int> corners(t_mesh.number_of_faces(), 0);
   for (int h = 0; h < t_mesh.number_of_halfedges(); ++h)
-    corners[t_mesh.face(h)] += t_mesh.is_corner(h);
+    if (!t_mesh.is_border(h))
+      corners[t_mesh.face(h)] += t_mesh.is_corner(h);
   for (int p = 0; p < t_mesh.number_of_faces(); ++p)
     if (corners[p] != 4)
       throw Stage_failure("trace_motorcycle_graph: " + named_patch(t_mesh, p) + " has "
@@ -86,7 +87,10 @@ public:
   void operator()()
   {
     for (int e = 0; e < m_surface.number_of_edges(); ++e)
-      check_edge(e);
+      if (m_t_mesh.edge_arcs[e].empty())
+        check_edge(e);
+      else
+        check_arcs_along(e);
     for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
       if (!m_t_mesh.corner_arcs[h].empty())
         check_corner(h);
@@ -110,6 +114,20 @@ private:
     note(m_surface.opposite(h), right(crossings.back()));
   }
 
+  // of an edge on the border: its last piece must belong to the patch that its end is in
+  void check_arcs_along(int e)
+  {
+    const auto& arcs = m_t_mesh.edge_arcs[e];
+    const int h = m_surface.halfedge_of_edge(e), end = Surface::next(h);
+    if (arcs.size() != m_t_mesh.crossing_parameters[e].size() + 1)
+      fail(h);
+    note(h, left(arcs.front()));
+    if (m_t_mesh.corner_arcs[end].empty())
+      note(end, left(arcs.back()));
+    else if (left(m_t_mesh.corner_arcs[end].back()) != left(arcs.back()))
+      fail(end);
+  }
+
   void check_corner(int h)
   {
     const auto& arcs = m_t_mesh.corner_arcs[h];
@@ -117,7 +135,8 @@ private:
       if (left(arcs[i - 1]) != right(arcs[i]))
         fail(h);
     note(h, right(arcs.front()));
-    note(m_surface.turn_left(h), left(arcs.back()));
+    if (m_surface.turn_left(h) >= 0)
+      note(m_surface.turn_left(h), left(arcs.back()));
   }
 
   // notes that halfedge h begins in `patch`
@@ -137,11 +156,11 @@ private:
     while (!m_stack.empty()) {
       const int h = m_stack.back(), right = m_surface.turn_right(h), patch = m_patch[h];
       m_stack.pop_back();
-      if (m_t_mesh.corner_arcs[h].empty())
+      if (m_t_mesh.corner_arcs[h].empty() && m_surface.turn_left(h) >= 0)
         note(m_surface.turn_left(h), patch);
-      if (m_t_mesh.corner_arcs[right].empty())
+      if (right >= 0 && m_t_mesh.corner_arcs[right].empty())
         note(right, patch);
-      if (m_t_mesh.edge_crossings[m_surface.edge(h)].empty())
+      if (!m_surface.is_border(h) && m_t_mesh.edge_crossings[m_surface.edge(h)].empty())
         note(m_surface.opposite(h), patch);
     }
     for (int h = 0; h < m_surface.number_of_halfedges(); ++h)

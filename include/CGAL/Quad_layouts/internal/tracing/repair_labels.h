@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/tracing/Labels.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -20,7 +21,7 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes all faces valid and all valences positive, by a min-conflicts search that starts from
+// Makes all faces valid and all valences positive, 2 or more wherever the field has them, by a min-conflicts search that starts from
 // labels that are valid nearly everywhere: again and again, the cheapest change of a label near a
 // bad face or vertex.
 //
@@ -66,7 +67,9 @@ private:
     bool both_sides;    // and to that of the opposite halfedge
   };
 
-  bool is_bad_vertex(int v) const { return m_labels.valence(v) < 1; }
+  // No quad mesh has a vertex of valence 1: it has to be one of the field itself.
+  int least_valence(int v) const { return m_field.index(v) > 2 ? 1 : 2; }
+  bool is_bad_vertex(int v) const { return m_labels.valence(v) < least_valence(v); }
   // a suspect is a corner: its face or its vertex may be bad
   bool is_bad(int h) const
   {
@@ -94,8 +97,11 @@ private:
     return m_best;
   }
 
+  // fixed edges keep their labels
   void consider_changes(int h, bool on_one_side_too)
   {
+    if (m_surface.is_fixed(h))
+      return;
     for (int shift = 1; shift < 4; ++shift) {
       consider({h, shift, true});
       if (on_one_side_too) {
@@ -122,9 +128,9 @@ private:
   void shift_labels(const Change& change, int shift)
   {
     const int h = change.halfedge, g = m_surface.opposite(h);
-    m_labels.set(h, m_labels[h] + shift);
+    m_labels.set(h, m_labels.quadrant(h) + shift);
     if (change.both_sides)
-      m_labels.set(g, m_labels[g] + shift);
+      m_labels.set(g, m_labels.quadrant(g) + shift);
   }
 
   void apply(const Change& change)
@@ -145,13 +151,13 @@ private:
   double face_cost(int f) const { return m_labels.is_valid(f) ? 0 : 8; }
   double vertex_cost(int v) const
   {
-    const int valence = m_labels.valence(v), wanted = 4 - m_field.index(v);
-    return (valence < 1 ? 8 * (1 - valence) : 0) + (valence != wanted ? 2 : 0);
+    const int valence = m_labels.valence(v);
+    return 8 * (std::max)(least_valence(v) - valence, 0) + (m_labels.index(v) != m_field.index(v) ? 2 : 0);
   }
   double label_cost(int h) const
   {
     constexpr double distance[] = {0, 1, 2, 1};
-    return distance[(m_labels[h] - m_original[h]) & 3] / 2;
+    return distance[(m_labels.quadrant(h) - m_original.quadrant(h)) & 3] / 2;
   }
 
   [[noreturn]] void fail(int h) const

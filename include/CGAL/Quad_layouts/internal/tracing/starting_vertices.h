@@ -40,8 +40,26 @@ inline std::vector<int> components(const Triangle_surface& surface)
   return component;
 }
 
+// Lets traces start at the first vertex of each border that would have no start otherwise. The border
+// must have one, and so must every patch at it, which would be no disc.
+inline void start_on_each_border(const Triangle_surface& surface, std::vector<char>& starts)
+{
+  std::vector<char> is_known(surface.number_of_vertices(), 0);
+  for (int v = 0; v < surface.number_of_vertices(); ++v) {
+    if (is_known[v] || !surface.is_on_border(v))
+      continue;
+    bool has_start = false;
+    for (int u = v; !is_known[u]; u = surface.target(surface.halfedge(u))) {
+      is_known[u] = 1;
+      has_start |= starts[u] != 0;
+    }
+    if (!has_start)
+      starts[v] = 1;
+  }
+}
+
 // returns the vertices where traces start, ascending: the singular ones, `seeds`, and the first
-// vertex of each component that would have none otherwise
+// vertex of each border and each component that would have none otherwise
 inline std::vector<int> starting_vertices(const Labels& labels, const std::vector<int>& seeds)
 {
   const Triangle_surface& surface = labels.surface();
@@ -49,11 +67,12 @@ inline std::vector<int> starting_vertices(const Labels& labels, const std::vecto
   std::vector<char> starts(surface.number_of_vertices(), 0), has_start = starts;
   for (int s : seeds)
     starts[s] = 1;
-  for (int v = 0; v < surface.number_of_vertices(); ++v) {
-    if (labels.valence(v) != 4)
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    if (labels.index(v) != 0)
       starts[v] = 1;
+  start_on_each_border(surface, starts);
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
     has_start[component[v]] |= starts[v];
-  }
   std::vector<int> result;
   for (int v = 0; v < surface.number_of_vertices(); ++v)
     if (surface.halfedge(v) >= 0 && (starts[v] || !has_start[component[v]])) {

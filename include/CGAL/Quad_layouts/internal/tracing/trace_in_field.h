@@ -42,8 +42,9 @@ inline int seed_beside(const Labels& labels, int f)
   int seed = -1;
   for (int h = 3 * f; h < 3 * f + 3 && seed < 0; ++h)
     surface.for_each_outgoing(surface.source(h), [&](int g) {
-      if (seed < 0 && labels.valence(surface.target(g)) == 4)
-        seed = surface.target(g);
+      const int v = surface.target(g);
+      if (seed < 0 && labels.index(v) == 0 && !surface.is_on_border(v))
+        seed = v;
     });
   return seed;
 }
