@@ -62,10 +62,10 @@ BOOST_AUTO_TEST_CASE(demands_what_is_violated)
   hide_index_rows(program);
   BOOST_TEST(internal::demand_index_rows(program, std::vector<int>(3, 1)) == 0);
   BOOST_TEST(internal::demand_index_rows(program, std::vector<double>(3, 1), 10) == 0);
-  BOOST_TEST(program.number_of_visible_rows() == 0);
+  BOOST_TEST(program.number_of_visible_rows(internal::Reduced_program::Rows::ALL) == 0);
   BOOST_TEST(internal::demand_index_rows(program, std::vector<int>(3, 0)) == 8);
   BOOST_TEST(internal::demand_index_rows(program, std::vector<int>(3, 0)) == 0);
-  BOOST_TEST(program.number_of_visible_rows() == 8);
+  BOOST_TEST(program.number_of_visible_rows(internal::Reduced_program::Rows::ALL) == 8);
 }
 
 BOOST_AUTO_TEST_CASE(small_programs_have_all_rows)
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(small_programs_have_all_rows)
   const internal::Dual_graph graph(t);
   internal::Reduced_program program = reduced(t, graph, 1);
   internal::make_index_rows_lazy_if_many(program);
-  BOOST_TEST(program.number_of_visible_rows() == 8);
+  BOOST_TEST(program.number_of_visible_rows(internal::Reduced_program::Rows::ALL) == 8);
 }
 
 // Lazy rows leave the optimum as it is; bounds without all rows are below it.

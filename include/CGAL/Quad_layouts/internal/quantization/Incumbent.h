@@ -44,7 +44,7 @@ public:
   // that can be separate is
   bool start()
   {
-    Loop_sum sum(m_program.number_of_variables());
+    Loop_sum sum(m_program);
     if (repair(sum))
       return true;
     for (int v = 0; v < m_program.number_of_variables(); ++v)
@@ -64,7 +64,7 @@ public:
       return false;
     if (accept(x))
       return true;
-    Loop_sum sum(m_program.number_of_variables());
+    Loop_sum sum(m_program);
     for (Loop& loop : dual_loops(m_t_mesh, m_graph, x))
       sum.add(std::move(loop));
     return repair(sum);
@@ -97,8 +97,9 @@ private:
     constexpr int most_rounds = 100;
     for (int round = 0; round < most_rounds; ++round) {
       const std::size_t cuts = m_program.cuts.size();
-      sum.complete(m_program, m_program.cost, m_search);
-      sum.prune(m_program);
+      sum.update_cuts();
+      sum.complete(m_program.cost, m_search, [](const Reduced_program::Set& set) { return set; });
+      sum.prune([](std::size_t) { return 1.; });
       if (accept(sum.values()))
         return true;
       if (m_program.cuts.size() == cuts)

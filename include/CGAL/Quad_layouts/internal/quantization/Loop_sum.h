@@ -8,7 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_LOOP_SUM_H
 
 #include <CGAL/Quad_layouts/internal/quantization/Loop_search.h>
-#include <CGAL/Quad_layouts/internal/quantization/evaluate_program.h>
+#include <CGAL/Quad_layouts/internal/quantization/Row_counts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,9 +24,14 @@ namespace internal {
 class Loop_sum
 {
 public:
-  explicit Loop_sum(int variables) : m_x(variables, 0) {}
+  explicit Loop_sum(const Reduced_program& program)
+    : m_rows(program), m_shared_price(program.number_of_variables())
+  {
+  }
 
-  const std::vector<int>& values() const { return m_x; }
+  const Row_counts& rows() const { return m_rows; }
+  const std::vector<int>& values() const { return m_rows.values(); }
+  const std::vector<Loop>& loops() const { return m_loops; }
 
   void add(Loop loop)
   {
@@ -34,51 +39,77 @@ public:
     m_loops.push_back(std::move(loop));
   }
 
-  // adds cheapest loops, where passing v costs `price[v]`, until all rows of `program` hold; of
-  // soft index rows, all that can
-  void complete(const Reduced_program& program, const std::vector<double>& price,
-                Loop_search& search)
+  // takes away loop k; the last one gets its number
+  void remove(std::size_t k)
   {
-    const Program_evaluation rows(program, m_x);
-    satisfy_covers(program, price, search);
+    count(m_loops[k], -1);
+    m_loops[k] = std::move(m_loops.back());
+    m_loops.pop_back();
+  }
+
+  void replace(std::vector<Loop> loops)
+  {
+    std::vector<int> x(values().size(), 0);
+    for (const Loop& loop : loops)
+      for (int v : loop)
+        ++x[v];
+    m_rows.assign(x);
+    m_loops = std::move(loops);
+  }
+
+  // to be called when the program has new cuts
+  void update_cuts() { m_rows.update_cuts(); }
+
+  // Adds cheapest loops, where passing v costs `price[v]`, until all rows hold that can; of a row,
+  // `choose(set)` returns the variables that are tried. A variable is the cheaper the more rows it
+  // would satisfy.
+  template <class Choose>
+  void complete(const std::vector<double>& price, Loop_search& search, const Choose& choose)
+  {
+    const auto satisfy = [&](const Reduced_program::Set& set) {
+      for (std::size_t v = 0; v < price.size(); ++v)
+        m_shared_price[v] = price[v] / (1 + m_rows.open_rows_of(int(v)));
+      add(search.cheapest_loop(choose(set), m_shared_price));
+    };
     for (bool changed = true; changed;) {
       changed = false;
-      const auto separate = [&](const Reduced_program::Set& set) {
-        if (set.empty())
-          return;
-        add(search.cheapest_loop(set, price));
-        changed = true;
-      };
-      for (const auto& row : program.index_rows)
-        separate(rows.separating_set(row));
-      for (const auto& cut : program.cuts)
-        if (!rows.is_satisfied(cut))
-          separate(cut.variables);
+      for (int f = 0; f < m_rows.number_of_families(); ++f)
+        if (m_rows.is_row(f) && m_rows.is_open(f) && !m_rows.family(f).empty()) {
+          satisfy(m_rows.family(f));
+          changed = true;
+        }
+      for (int r = 0; r < int(m_rows.program().index_rows.size()); ++r)
+        if (const auto set = m_rows.separating_set(r); !set.empty()) {
+          satisfy(set);
+          changed = true;
+        }
     }
   }
 
   // takes away loops, expensive ones first, as long as this makes the objective smaller and keeps
-  // all rows
-  void prune(const Reduced_program& program)
+  // all rows; loop k counts as `weight(k)` times as expensive as it is
+  template <class Weight>
+  void prune(const Weight& weight)
   {
-    const Program_evaluation rows(program, m_x);
-    const auto cost = [&](const Loop& loop) {
-      return std::accumulate(loop.begin(), loop.end(), 0.,
-                             [&](double c, int v) { return c + program.cost[v]; });
-    };
-    std::stable_sort(m_loops.begin(), m_loops.end(),
-                     [&](const Loop& a, const Loop& b) { return cost(a) > cost(b); });
-    std::vector<Loop> kept;
-    double objective = rows.objective();
-    for (Loop& loop : m_loops) {
-      count(loop, -1);
-      if (rows.is_feasible() && rows.satisfies_cuts() && rows.objective() < objective) {
-        objective = rows.objective();
-        continue;
-      }
-      count(loop, 1);
-      kept.push_back(std::move(loop));
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < m_loops.size(); ++k)
+      order.emplace_back(-weight(k) * cost(m_loops[k]), k);
+    std::sort(order.begin(), order.end());
+    std::vector<char> is_kept(m_loops.size(), 1);
+    double objective = m_rows.objective();
+    for (const auto& entry : order) {
+      const std::size_t k = entry.second;
+      count(m_loops[k], -1);
+      is_kept[k] = !m_rows.is_feasible() || !(m_rows.objective() < objective);
+      if (is_kept[k])
+        count(m_loops[k], 1);
+      else
+        objective = m_rows.objective();
     }
+    std::vector<Loop> kept;
+    for (std::size_t k = 0; k < m_loops.size(); ++k)
+      if (is_kept[k])
+        kept.push_back(std::move(m_loops[k]));
     m_loops = std::move(kept);
   }
 
@@ -86,39 +117,18 @@ private:
   void count(const Loop& loop, int n)
   {
     for (int v : loop)
-      m_x[v] += n;
+      m_rows.change(v, n);
   }
 
-  // a variable is the cheaper the more open rows it would satisfy
-  void satisfy_covers(const Reduced_program& program, const std::vector<double>& price,
-                      Loop_search& search)
+  double cost(const Loop& loop) const
   {
-    const Program_evaluation rows(program, m_x);
-    std::vector<int> open_rows(m_x.size(), 0);
-    std::vector<char> is_open(program.covers.size(), 0);
-    const auto update = [&](std::size_t k, bool open) {
-      if (open == bool(is_open[k]))
-        return;
-      is_open[k] = open;
-      for (int v : program.covers[k])
-        open_rows[v] += open ? 1 : -1;
-    };
-    for (std::size_t k = 0; k < program.covers.size(); ++k)
-      update(k, !rows.is_positive(program.covers[k]));
-    std::vector<double> shared_price(price.size());
-    for (std::size_t k = 0; k < program.covers.size(); ++k) {
-      if (!is_open[k])
-        continue;
-      for (std::size_t v = 0; v < price.size(); ++v)
-        shared_price[v] = price[v] / (1 + open_rows[v]);
-      add(search.cheapest_loop(program.covers[k], shared_price));
-      for (std::size_t j = k; j < program.covers.size(); ++j)
-        update(j, !rows.is_positive(program.covers[j]));
-    }
+    return std::accumulate(loop.begin(), loop.end(), 0.,
+                           [&](double c, int v) { return c + m_rows.program().cost[v]; });
   }
 
+  Row_counts m_rows;
   std::vector<Loop> m_loops;
-  std::vector<int> m_x;
+  std::vector<double> m_shared_price;
 };
 
 } // namespace internal

@@ -7,11 +7,11 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_NEIGHBOURHOODS_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_NEIGHBOURHOODS_H
 
-#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 #include <CGAL/Quad_layouts/internal/quantization/Loop_search.h>
 #include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
 #include <CGAL/Quad_layouts/internal/quantization/dual_loops.h>
 #include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
+#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>
 #include <limits>
@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes the boxes of a large-neighbourhood search: free near a singularity, and along the dual
-// loops through this region.
+// Makes the boxes of a large-neighbourhood search: free near some nodes, and along the dual loops
+// through this region.
 class Neighbourhoods
 {
 public:
@@ -32,11 +32,11 @@ public:
   {
   }
 
-  // returns the box about `x` that is free around the `count` singularities nearest to `node`
-  Box around(int node, int count, const std::vector<int>& x)
+  // returns the box about `x` that is free around the `count` singularities nearest to `nodes`
+  Box around(const std::vector<int>& nodes, int count, const std::vector<int>& x)
   {
     std::vector<char> is_near(x.size(), 0);
-    for (int v : variables_near(node, count))
+    for (int v : variables_near(nodes, count))
       is_near[v] = 1;
     Box box(x);
     for (const Loop& loop : dual_loops(m_t_mesh, m_graph, x))
@@ -53,10 +53,27 @@ public:
     return box;
   }
 
-private:
-  std::vector<int> variables_near(int node, int count)
+  // returns the ends of the arcs that one of the dual loops of `x` crosses, none if there is no
+  // loop; the choice is left to `choose(count)`. A box around them lets the loop move along its
+  // whole length.
+  template <class Choose>
+  std::vector<int> along_a_loop(const std::vector<int>& x, const Choose& choose) const
   {
-    m_distances.search(node, (std::numeric_limits<double>::max)());
+    const auto loops = dual_loops(m_t_mesh, arc_lengths(m_t_mesh, m_graph, x));
+    std::vector<int> result;
+    if (loops.empty())
+      return result;
+    for (int a : loops[choose(loops.size())]) {
+      result.push_back(m_t_mesh.source(2 * a));
+      result.push_back(m_t_mesh.target(2 * a));
+    }
+    return result;
+  }
+
+private:
+  std::vector<int> variables_near(const std::vector<int>& nodes, int count)
+  {
+    m_distances.search(nodes, (std::numeric_limits<double>::max)());
     std::vector<double> distances;
     for (int n : m_distances.reached())
       if (m_t_mesh.is_singularity_or_seed(n))

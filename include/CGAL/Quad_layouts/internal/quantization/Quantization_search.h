@@ -10,17 +10,21 @@
 #include <CGAL/Quad_layouts/Quantization.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quantization/Incumbent.h>
+#include <CGAL/Quad_layouts/internal/quantization/Loop_exchange.h>
 #include <CGAL/Quad_layouts/internal/quantization/Neighbourhoods.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_options.h>
 #include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
 #include <CGAL/Quad_layouts/internal/quantization/lazy_index_rows.h>
 #include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
+#include <CGAL/Quad_layouts/internal/quantization/strengthen_relaxation.h>
 
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -29,14 +33,13 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Solves the program of [LCK21b] for a T-mesh, in four steps that each begin with the best solution
-// so far:
-// - a greedy sum of dual loops;
-// - branch and cut in the whole program, which ends with the optimum for some hundred singularities
-//   that rarely can merge, and gives a bound for the others;
-// - branch and cut where only variables that are positive in the solution or in the relaxation are
-//   free;
-// - branch and cut in ever larger neighbourhoods.
+// Solves the program of [LCK21b] for a T-mesh, in steps that each begin with the best solution so
+// far:
+// - a greedy sum of dual loops, and exchange of loops at random;
+// - the relaxation with cutting planes, for a bound;
+// - a short branch and cut in the whole program, which is enough for many models;
+// - rounds of growing effort: branch and cut where solution and relaxation differ, in
+//   neighbourhoods, and from the second round on in the whole program, for the proof.
 //
 // The effort of the solver is bounded by nodes of its search tree, so that results can be repeated;
 // time limits are the last resort. Of many index rows solvers see those that some solution has
@@ -60,25 +63,30 @@ public:
   {
     if (m_incumbent.start() || find_first_solution()) {
       report();
+      exchange_loops();
       make_index_rows_lazy_if_many(m_program);
       solve_relaxation();
-      search_whole_program();
-      if (!is_done() && !m_relaxation.empty())
-        search_support();
-      if (!is_done())
-        search_neighbourhoods();
+      search_whole_program(20, 0.1);
+      for (int factor = 1; !is_done(); factor = (std::min)(4 * factor, largest_factor)) {
+        search_disagreement(200 * factor);
+        search_neighbourhoods(60 * factor);
+        if (factor > 1 && !is_done())
+          search_whole_program(20 * factor, 0.25);
+      }
     }
     return result();
   }
 
 private:
+  static constexpr int largest_factor = 1 << 20; // keeps limits of nodes in the range of numbers
+
   bool is_proven() const
   {
     constexpr double rounding = 1e-9;
     const double gap = (std::max)(m_options.relative_gap, rounding);
     return m_incumbent.objective() - m_bound <= gap * m_incumbent.objective();
   }
-  bool is_done() const { return is_proven() || seconds_left() <= 0; }
+  bool is_done() const { return is_proven() || m_is_exhausted || seconds_left() <= 0; }
   double seconds_left() const { return m_options.seconds - m_timer.time(); }
 
   void report() const
@@ -87,7 +95,7 @@ private:
     m_monitor.improved(m_incumbent.objective() + lost, m_bound + lost, m_timer.time());
   }
 
-  Search_effort effort(int nodes, double share_of_time, double gap) const
+  Search_effort effort(int nodes, double share_of_time, double gap = 0.001) const
   {
     return {(std::min)(seconds_left(), share_of_time * m_options.seconds), nodes, gap,
             [this] { return m_monitor.stopped(); }};
@@ -112,78 +120,107 @@ private:
     return result;
   }
 
-  // The time of a node is about quadratic in the size of the program; whole programs that are far
-  // too large to be solved get little of it.
-  int nodes_of_whole_program() const
-  {
-    const double n = m_program.number_of_variables();
-    return int((std::max)(1., (std::min)(200., 4e7 / (n * n))));
-  }
-
   // is for programs with rows that sums of dual loops do not satisfy; says if there is a solution
   bool find_first_solution()
   {
     if (m_program.mirrored.empty())
       return false;
     constexpr int nodes = 1000;
-    m_program.inexact_cuts_are_visible = true;
     bool found;
-    int rows;
+    int seen;
     do {
-      rows = m_program.number_of_visible_rows();
-      search(Box(m_program.number_of_variables()), effort(nodes, 0.5, m_options.relative_gap),
-             found);
-    } while (!found && m_program.number_of_visible_rows() > rows && seconds_left() > 0);
-    m_program.inexact_cuts_are_visible = false;
+      seen = m_program.number_of_visible_rows(Box::Rows::ALL);
+      search(Box(m_program.number_of_variables(), Box::Rows::ALL), effort(nodes, 0.5), found);
+    } while (!found && m_program.number_of_visible_rows(Box::Rows::ALL) > seen &&
+             seconds_left() > 0);
     return found;
-  }
-
-  // solves again as long as the solution violates what the solver did not see; at last with all
-  // cuts
-  void search_whole_program()
-  {
-    const Box everything(m_program.number_of_variables());
-    int rows;
-    do {
-      rows = m_program.number_of_visible_rows();
-      bool improved;
-      const Box_solution solution = search(
-          everything, effort(nodes_of_whole_program(), 0.2, m_options.relative_gap / 2), improved);
-      if (!m_program.inexact_cuts_are_visible)
-        m_bound = (std::max)(m_bound, solution.bound);
-      report();
-      if (solution.status != Box_solution::OPTIMAL)
-        break;
-      m_program.inexact_cuts_are_visible |= m_program.number_of_visible_rows() == rows;
-    } while (m_program.number_of_visible_rows() > rows && !is_done());
-    m_program.covers_are_soft = false;
-    m_program.inexact_cuts_are_visible = true;
   }
 
   // An objective above the penalty could fall by violating a row: then bounds must come from the
   // soft program.
+  Box whole_program(Box::Rows rows) const
+  {
+    Box box(m_program.number_of_variables(), rows);
+    box.covers_are_soft = m_incumbent.objective() > m_program.penalty;
+    return box;
+  }
+
+  // Solves again as long as the solution violates what the solver did not see; at last with all
+  // cuts. Once this has come to its end nothing more can be found.
+  void search_whole_program(int nodes, double share_of_time)
+  {
+    const Search_effort limits = effort(nodes_of_relaxation() + nodes, share_of_time,
+                                        m_options.relative_gap / 2);
+    auto rows = Box::Rows::EXACT;
+    while (!is_done()) {
+      const int seen = m_program.number_of_visible_rows(rows);
+      bool improved;
+      const Box_solution solution = search(whole_program(rows), limits, improved);
+      if (rows == Box::Rows::EXACT)
+        raise_bound(solution.bound);
+      if (solution.status != Box_solution::OPTIMAL && solution.status != Box_solution::INFEASIBLE)
+        return;
+      if (m_program.number_of_visible_rows(rows) > seen)
+        continue;
+      m_is_exhausted = rows == Box::Rows::ALL;
+      rows = Box::Rows::ALL;
+    }
+  }
+
+  // what the relaxation of the whole program takes at most
+  int nodes_of_relaxation() const { return 20 + m_program.number_of_variables() / 50; }
+
+  // strengthens the relaxation by cutting planes as long as this pays
   void solve_relaxation()
   {
-    m_program.covers_are_soft = m_incumbent.objective() > m_program.penalty;
-    const Box everything(m_program.number_of_variables());
-    const int nodes = 20 + m_program.number_of_variables() / 50;
-    do {
-      Box_solution solution = solve_in_box<Traits>(m_program, everything, {}, effort(nodes, 0.2, 0),
-                                                   Domain::REALS);
+    constexpr double least_gain = 0.0005;
+    const Box everything = whole_program(Box::Rows::EXACT);
+    for (double previous = 0;;) {
+      Box_solution solution = solve_in_box<Traits>(
+          m_program, everything, {}, effort(nodes_of_relaxation(), 0.1), Domain::REALS);
       m_monitor.check("quantize");
       if (solution.x.empty())
         return;
-      m_relaxation = std::move(solution.x);
-      m_bound = (std::max)(m_bound, solution.bound);
-    } while (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0);
+      m_relaxation = solution.x;
+      raise_bound(solution.bound);
+      if (m_timer.time() > 0.35 * m_options.seconds)
+        return;
+      if (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0)
+        continue;
+      if (everything.covers_are_soft || m_program.index_rows_are_soft || is_done() ||
+          m_bound - previous < least_gain * m_bound)
+        return;
+      previous = m_bound;
+      solution.x.insert(solution.x.end(), solution.indicators.begin(), solution.indicators.end());
+      if (strengthen_relaxation(m_program, solution.x) == 0)
+        return;
+    }
   }
 
-  void search_support()
+  void raise_bound(double bound)
   {
-    Box box(m_program.number_of_variables());
-    restrict_to_support(box);
-    bool improved;
-    search(box, effort(1000, 0.15, 0.001), improved);
+    if (bound <= m_bound)
+      return;
+    m_bound = bound;
+    report();
+  }
+
+  // ends when many exchanges in a row bring nothing
+  void exchange_loops()
+  {
+    constexpr double slack = 1.01; // worse solutions may lead on to better ones
+    constexpr int patience = 200;
+    Loop_exchange exchange(m_program, m_graph, dual_loops(m_t_mesh, m_graph, m_incumbent.values()));
+    for (int failures = 0; failures < patience && m_timer.time() < 0.2 * m_options.seconds;
+         ++failures) {
+      m_monitor.check("quantize");
+      if (exchange.step(slack * m_incumbent.objective()) &&
+          exchange.objective() < m_incumbent.objective() &&
+          m_incumbent.improve_by(exchange.values())) {
+        report();
+        failures = 0;
+      }
+    }
   }
 
   // keeps variables at 0 that are 0 in the solution and in the relaxation, and paths short
@@ -196,36 +233,59 @@ private:
         box.low[v] = box.high[v] = 0;
   }
 
-  // searches around one singularity after another. The neighbourhoods grow while they are solved to
-  // optimality, and every other one is restricted to the support. Ends when many in a row bring
-  // nothing.
-  void search_neighbourhoods()
+  // searches where the solution and the relaxation differ
+  void search_disagreement(int nodes)
   {
-    std::vector<int> order = m_paper.singularities;
-    const int patience = 20 + int(order.size()) / 4;
-    std::mt19937 random;
-    double size = 16;
-    int failures = 0;
-    for (std::size_t i = 0; !is_done() && failures < patience; ++i) {
-      const std::size_t k = i % order.size();
-      std::swap(order[k], order[k + random() % (order.size() - k)]);
-      Box box = m_neighbourhoods.around(order[k], int(size), m_incumbent.values());
+    constexpr double tolerance = 1e-6;
+    if (m_relaxation.empty() || is_done())
+      return;
+    Box box(m_program.number_of_variables(), Box::Rows::ALL);
+    for (int v = 0; v < m_program.number_of_variables(); ++v)
+      if (const int x = m_incumbent.values()[v]; std::abs(m_relaxation[v] - x) < tolerance)
+        box.low[v] = box.high[v] = x;
+    bool improved;
+    search(box, effort(nodes, 0.15), improved);
+  }
+
+  // Searches around singularities and around dual loops of the solution, in every other
+  // neighbourhood on the support only. Neighbourhoods of a kind grow while they are solved to
+  // optimality. Ends when many in a row bring nothing.
+  void search_neighbourhoods(int nodes)
+  {
+    const int patience = 20 + int(m_paper.singularities.size()) / 4;
+    for (int failures = 0; !is_done() && failures < patience; ++failures) {
+      const int kind = m_neighbourhood++ % int(m_size.size());
+      Box box = m_neighbourhoods.around(centre(kind), int(m_size[kind]), m_incumbent.values());
       free_mirrored(m_program, box);
-      if (i % 2 == 1 && !m_relaxation.empty())
+      if (kind % 2 == 1 && !m_relaxation.empty())
         restrict_to_support(box);
       bool improved;
-      const Box_solution solution = search(box, effort(60, 0.15, 0.001), improved);
-      failures = improved ? 0 : failures + 1;
-      size = solution.status == Box_solution::OPTIMAL
-                 ? (std::min)(size * growth(), double(order.size()))
-                 : (std::max)(size / 1.1, 2.);
+      const Box_solution solution = search(box, effort(nodes, 0.15), improved);
+      if (improved)
+        failures = 0;
+      else
+        resize(m_size[kind], solution.status == Box_solution::OPTIMAL);
       m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
     }
   }
 
-  // small steps for many singularities: there is more to gain from a size before it is time for the
-  // next one
-  double growth() const { return 1 + 6. / m_paper.singularities.size(); }
+  std::vector<int> centre(int kind)
+  {
+    const auto choose = [this](std::size_t n) { return m_random() % n; };
+    std::vector<int> result;
+    if (kind >= 2)
+      result = m_neighbourhoods.along_a_loop(m_incumbent.values(), choose);
+    if (result.empty())
+      result.push_back(m_paper.singularities[choose(m_paper.singularities.size())]);
+    return result;
+  }
+
+  void resize(double& size, bool was_solved) const
+  {
+    constexpr double factor = 1.25;
+    const double all = double(m_paper.singularities.size());
+    size = was_solved ? (std::min)(size * factor, all) : (std::max)(size / factor, 2.);
+  }
 
   // evaluates the solution anew, in the program of the paper
   Quantization result() const
@@ -260,6 +320,10 @@ private:
   Incumbent m_incumbent;
   Neighbourhoods m_neighbourhoods;
   std::vector<double> m_relaxation;
+  std::array<double, 4> m_size{16, 16, 16, 16}; // of neighbourhoods, per kind
+  int m_neighbourhood = 0;
+  std::mt19937 m_random;
+  bool m_is_exhausted = false;
   double m_bound = 0; // all costs are positive
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/minimal_sets.h>
+#include <CGAL/Quad_layouts/internal/quantization/zero_half_cuts.h>
 
 #include <algorithm>
 #include <map>
@@ -34,6 +35,10 @@ namespace internal {
 // - Arcs that the user wishes to be 0 have no variable.
 struct Reduced_program
 {
+  // Which rows solvers get to see: all that are known, or those that exclude no valid layout, as
+  // bounds need it.
+  enum class Rows { ALL, EXACT };
+
   using Set = std::vector<int>; // of variables, sorted
 
   // c = 1 if and only if the variables of the path are all 0
@@ -66,25 +71,26 @@ struct Reduced_program
   std::vector<Index_row> index_rows;
   std::vector<Cut> cuts; // wishes of the user, and then those found while solving
   int wished_cuts = 0;
+  // implied by the other hard rows, but not in the relaxation; columns are the variables, then the
+  // indicators
+  std::vector<Integer_row> strengthening;
   int violated_rows = 0;        // of (2) and (6), in every quantization
-  bool covers_are_soft = false; // as in (7)
   bool index_rows_are_soft =
       false; // as in (8): keeping all apart that can be kept apart violates some
-  bool inexact_cuts_are_visible = false; // to solvers; bounds must come from programs without them
   double penalty = 0;
 
   int number_of_variables() const { return int(cost.size()); }
 
   // grows when solvers get to see rows that they did not see before
-  int number_of_visible_rows() const
+  int number_of_visible_rows(Rows rows) const
   {
     return int(std::count_if(cuts.begin(), cuts.end(),
-                             [this](const Cut& cut) { return is_visible(cut); }) +
+                             [=](const Cut& cut) { return is_visible(cut, rows); }) +
                std::count_if(index_rows.begin(), index_rows.end(),
                              [](const Index_row& row) { return !row.is_lazy; }));
   }
 
-  bool is_visible(const Cut& cut) const { return cut.is_exact || inexact_cuts_are_visible; }
+  bool is_visible(const Cut& cut, Rows rows) const { return cut.is_exact || rows == Rows::ALL; }
 
   std::vector<int> arc_lengths(const std::vector<int>& x) const
   {

@@ -29,7 +29,7 @@ struct Close_pair
   std::vector<int> path;
 };
 
-// Shortest paths of arcs from one node, up to a given length. The arrays are kept between searches.
+// Shortest paths of arcs from one or several nodes, up to a given length. The arrays are kept between searches.
 class Arc_distances
 {
 public:
@@ -39,7 +39,9 @@ public:
   {
   }
 
-  void search(int source, double limit)
+  void search(int source, double limit) { search(std::vector<int>(1, source), limit); }
+
+  void search(const std::vector<int>& sources, double limit)
   {
     for (int n : m_reached) {
       m_distance[n] = infinity();
@@ -57,7 +59,8 @@ public:
       m_halfedge[n] = h;
       queue.emplace(d, n);
     };
-    relax(source, 0, -1);
+    for (int n : sources)
+      relax(n, 0, -1);
     while (!queue.empty()) {
       const Entry top = queue.top();
       queue.pop();

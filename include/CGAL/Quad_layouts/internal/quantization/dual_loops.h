@@ -7,8 +7,8 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_DUAL_LOOPS_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_DUAL_LOOPS_H
 
-#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 #include <CGAL/Quad_layouts/internal/quantization/Loop_search.h>
+#include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <cstddef>
 #include <vector>
@@ -73,20 +73,27 @@ inline std::vector<std::vector<int>> dual_loops(const T_mesh& t_mesh, const std:
   return result;
 }
 
+// returns the length of each arc for the values `x` of its variables
+inline std::vector<int> arc_lengths(const T_mesh& t_mesh, const Dual_graph& graph,
+                                    const std::vector<int>& x)
+{
+  std::vector<int> result;
+  for (int a = 0; a < t_mesh.number_of_edges(); ++a)
+    result.push_back(graph.variable(a) < 0 ? 0 : x[graph.variable(a)]);
+  return result;
+}
+
 // returns the dual loops whose sum gives each arc the value `x` of its variable. A loop passes all
 // arcs of a variable in a row; it counts where it crosses the first of them.
 inline std::vector<Loop> dual_loops(const T_mesh& t_mesh, const Dual_graph& graph,
                                     const std::vector<int>& x)
 {
-  std::vector<int> q, first_arc(x.size(), -1);
-  for (int a = 0; a < t_mesh.number_of_edges(); ++a) {
-    const int v = graph.variable(a);
-    q.push_back(v < 0 ? 0 : x[v]);
-    if (v >= 0 && first_arc[v] < 0)
+  std::vector<int> first_arc(x.size(), -1);
+  for (int a = t_mesh.number_of_edges(); a-- > 0;)
+    if (const int v = graph.variable(a); v >= 0)
       first_arc[v] = a;
-  }
   std::vector<Loop> result;
-  for (const auto& arcs : dual_loops(t_mesh, q)) {
+  for (const auto& arcs : dual_loops(t_mesh, arc_lengths(t_mesh, graph, x))) {
     result.emplace_back();
     for (int a : arcs)
       if (first_arc[graph.variable(a)] == a)

@@ -57,22 +57,6 @@ public:
     return excess(index, row.low, row.high);
   }
 
-  // the variables of which one must become positive to bring the index of an offending row nearer
-  // to its range; empty if there are none
-  Reduced_program::Set separating_set(const Reduced_program::Index_row& row) const
-  {
-    const int offence = index_excess(row);
-    Reduced_program::Set result;
-    for (const auto& term : row.terms)
-      if (offence != 0 && (term.second > 0) == (offence > 0) && is_merged(term.first)) {
-        const auto& path = m_program.indicators[term.first].path;
-        result.insert(result.end(), path.begin(), path.end());
-      }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
   int total_index_excess() const
   {
     int result = 0;

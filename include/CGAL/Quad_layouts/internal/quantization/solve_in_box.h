@@ -26,17 +26,24 @@ namespace internal {
 // neighbourhood.
 struct Box
 {
+  using Rows = Reduced_program::Rows;
+
   static constexpr int unbounded = (std::numeric_limits<int>::max)();
 
   std::vector<int> low, high;
   // Q of Equation (3): how long the paths of indicators may be. 10 does not cut off solutions worth
   // having; a smaller one loses some, but makes the relaxation much stronger.
   int longest_path = 10;
+  Rows rows;
+  bool covers_are_soft = false; // as in (7)
 
   // everything is allowed
-  explicit Box(int variables) : low(variables, 0), high(variables, unbounded) {}
+  explicit Box(int variables, Rows visible = Rows::EXACT)
+    : low(variables, 0), high(variables, unbounded), rows(visible)
+  {
+  }
   // nothing but x is allowed
-  explicit Box(const std::vector<int>& x) : low(x), high(x) {}
+  explicit Box(const std::vector<int>& x) : low(x), high(x), rows(Rows::ALL) {}
 
   bool is_fixed(int v) const { return low[v] == high[v]; }
 };
@@ -65,7 +72,9 @@ struct Search_effort
 struct Box_solution
 {
   enum Status { OPTIMAL, FEASIBLE, INFEASIBLE, UNKNOWN } status = UNKNOWN;
-  std::vector<double> x;                                     // of optimal and feasible ones
+  // of optimal and feasible ones: values of the variables, and of the indicators, where those that
+  // the program does not need are 0
+  std::vector<double> x, indicators;
   double bound = -(std::numeric_limits<double>::infinity)(); // of the objective in the box
 };
 
@@ -96,13 +105,16 @@ public:
       for (const auto& equation : *equations)
         add_equation(equation);
     for (const auto& cover : program.covers)
-      add_cover({cover, {}, true}, program.covers_are_soft);
+      add_cover({cover, {}, true}, box.covers_are_soft);
     for (const auto& row : program.index_rows)
       if (!row.is_lazy)
         add_index_row(row);
     for (const auto& cut : program.cuts)
-      if (program.is_visible(cut))
+      if (program.is_visible(cut, box.rows))
         add_cover(cut, false);
+    if (!box.covers_are_soft)
+      for (const auto& row : program.strengthening)
+        add_strengthening(row);
     m_objective->set_offset(m_fixed_cost);
   }
 
@@ -124,9 +136,12 @@ public:
       m_traits.set_start_solution(known_values());
     const bool solved = m_traits.solve();
     result.bound = m_traits.best_bound();
-    if (solved)
+    if (solved) {
       for (int v = 0; v < m_program.number_of_variables(); ++v)
         result.x.push_back(m_column[v] ? m_column[v]->solution_value() : m_box.low[v]);
+      for (const Indicator& c : m_indicator)
+        result.indicators.push_back(c.column ? c.column->solution_value() : c.constant);
+    }
     switch (m_traits.status()) {
       case Traits::OPTIMAL: result.status = Box_solution::OPTIMAL; break;
       case Traits::FEASIBLE: result.status = Box_solution::FEASIBLE; break;
@@ -231,6 +246,26 @@ private:
       add_slack(row, 1);
     } else if (terms.empty())
       m_contradiction = true;
+  }
+
+  // Rows without open terms hold: they follow from the others.
+  void add_strengthening(const Integer_row& row)
+  {
+    int bound = row.bound;
+    std::vector<std::pair<Variable*, int>> terms;
+    for (const auto& [column, coefficient] : row.terms) {
+      const int k = column - m_program.number_of_variables();
+      Variable* open = k < 0 ? m_column[column] : indicator(k).column;
+      if (open)
+        terms.emplace_back(open, coefficient);
+      else
+        bound -= coefficient * (k < 0 ? m_box.low[column] : indicator(k).constant);
+    }
+    if (terms.empty())
+      return;
+    Constraint* constraint = m_traits.create_constraint(-infinity(), bound);
+    for (const auto& term : terms)
+      constraint->add_coefficient(term.first, term.second);
   }
 
   // Equations (7) and (8): a slack raises (sign 1) or lowers (sign -1) the left side of a row
