@@ -44,7 +44,7 @@ inline std::vector<char> layout_nodes(const Quad_layout& layout)
   for (int n : separatrices)
     result.push_back(n != 0 && n != 2);
   for (int v = 0; v < layout.number_of_vertices(); ++v)
-    if (!layout.is_regular(v))
+    if (!layout.goes_straight_on(v))
       result[v] = 1;
   return result;
 }

@@ -110,12 +110,18 @@ inline bool leads_to_singularity(const T_mesh& t_mesh, const Run& run)
   if (run.arcs.empty())
     return false;
   const int a = run.arcs.back();
-  return t_mesh.is_border_edge(a) || t_mesh.is_singularity_or_seed(t_mesh.target(2 * a));
+  return t_mesh.is_fixed(a) || t_mesh.is_singularity_or_seed(t_mesh.target(2 * a));
+}
+
+// says if run `run` is a fixed curve inside of the surface, both ends of which have to be kept
+inline bool is_kept(const T_mesh& t_mesh, const Run& run)
+{
+  return t_mesh.is_fixed(run.arcs.back()) && !t_mesh.is_border_edge(run.arcs.back());
 }
 
 // returns per run the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the
-// one of the later run counts as the longer. Nothing is to fall onto the border, where it would turn
-// a border that is smooth there into a corner.
+// one of the later run counts as the longer. Nothing is to fall onto a fixed curve, where it would turn
+// a smooth curve into a corner.
 inline std::vector<Quantization_program::Prefixes> prefixes(const T_mesh& t_mesh, const Runs& runs,
                                                             const Quantization_demands& demands)
 {
@@ -127,13 +133,14 @@ inline std::vector<Quantization_program::Prefixes> prefixes(const T_mesh& t_mesh
     for (int k : {0, 1}) {
       const Run_visit& visit = meeting.visits[k];
       const auto own = key(visit), other = key(meeting.visits[1 - k]);
-      if ((meeting.on_border && k == 1) ||
+      if ((meeting.on_fixed_curve && k == 1) ||
           must_be_positive(std::get<0>(own), std::get<0>(other), own > other, demands))
         result[visit.run].push_back(visit.arcs);
     }
   // a run that leads to a singularity meets it at distance 0 on the other leg
   for (int r = 0; r < runs.size(); ++r)
-    if (leads_to_singularity(t_mesh, runs[r]) && runs[r].lengths.back() > demands.reach)
+    if (leads_to_singularity(t_mesh, runs[r]) &&
+        (runs[r].lengths.back() > demands.reach || is_kept(t_mesh, runs[r])))
       result[r].push_back(int(runs[r].arcs.size()));
   for (auto& p : result)
     std::sort(p.begin(), p.end());

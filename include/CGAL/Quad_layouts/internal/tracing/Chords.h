@@ -112,6 +112,7 @@ public:
     return counter_clockwise(from, place_of_right_end(x, c), place_of_right_end(y, c));
   }
 
+  Point point_of_start(int c) const { return point(m_chords[c].from); }
   Point point_of_end(int c) const { return point(m_chords[c].to); }
   Point point(const Crossing& x) const
   {
