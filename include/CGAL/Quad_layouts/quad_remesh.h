@@ -22,6 +22,21 @@
 namespace CGAL {
 namespace Quad_layouts {
 
+namespace internal {
+
+// the pack, with a map for the edges on fixed curves, if it has none
+template <class QuadMesh, class NamedParameters>
+auto with_edge_map(const QuadMesh& quads, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::edge_is_constrained_t>::value)
+    return np.edge_is_constrained_map(get(CGAL::dynamic_edge_property_t<bool>(), quads));
+  else
+    return np;
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
@@ -95,8 +110,9 @@ void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
   const Cross_field field = compute_cross_field(tm, np);
   const T_mesh t_mesh = trace_motorcycle_graph(field, np);
   const Quad_layout layout = extract_quad_layout(t_mesh, quantize(t_mesh, np));
-  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np), layout, out, np_out);
-  smooth_quad_mesh(out, tm, np_out, np);
+  const auto np_quads = internal::with_edge_map(out, np_out);
+  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np), layout, out, np_quads);
+  smooth_quad_mesh(out, tm, np_quads, np);
 }
 
 } // namespace Quad_layouts
