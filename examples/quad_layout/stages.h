@@ -201,6 +201,8 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
     return options.solution.empty() ? quantize_by(options.solver, r.t_mesh, np)
                                     : read_solution(options.solution, r.t_mesh, np);
   });
+  if (r.quantization.status == QL::Quantization::INFEASIBLE)
+    throw QL::Stage_failure("quantize: no valid quantization was found");
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
   r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, np); });
   clock("quad_mesh", [&] {

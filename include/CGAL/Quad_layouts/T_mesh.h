@@ -70,20 +70,18 @@ public:
   {
     return is_border_edge(arc) || (arc < int(arc_pieces.size()) && !arc_pieces[arc].empty());
   }
-  /// says if node `n` is on a fixed curve.
-  bool is_on_fixed_curve(int n) const
+  /// returns the number of arcs of fixed curves at node `n`.
+  int number_of_fixed_arcs(int n) const
   {
-    const int first = halfedge_from(n);
-    if (is_on_border(n))
-      return true;
-    int h = first;
+    int result = 0, h = halfedge_from(n);
     do {
-      if (is_fixed(edge(h)))
-        return true;
+      result += is_fixed(edge(h));
       h = turn_right(h);
-    } while (h != first);
-    return false;
+    } while (h != halfedge_from(n));
+    return result;
   }
+  /// says if node `n` is on a fixed curve.
+  bool is_on_fixed_curve(int n) const { return is_on_border(n) || number_of_fixed_arcs(n) > 0; }
   bool is_corner(int h) const { return halfedge_is_corner[h] != 0; }
   /// returns the vertex of the surface at which node `n` lies, -1 for crossings and T-joints.
   int surface_vertex(int n) const { return node_surface_vertex[n]; }

@@ -69,7 +69,8 @@ private:
   enum Place : char { OUTSIDE, INSIDE, RIM, PATH };
 
   // A node that is a singularity is preferred, and must be where the layout vertex is irregular.
-  // Those of the layout on fixed curves must be on these.
+  // Those of the layout on fixed curves must be on these, and where curves meet, if there is such a
+  // place.
   void choose_vertices(const Curve_mesh& mesh)
   {
     m_vertex.assign(m_layout.number_of_vertices(), -1);
@@ -78,7 +79,8 @@ private:
         m_vertex[m_owner[v]] = v;
     for (const Quad_layout::Cluster& c : m_layout.clusters) {
       const auto rank = [&](int n) {
-        return std::make_pair(m_t_mesh.is_on_fixed_curve(n), std::abs(m_t_mesh.index(n)));
+        const int fixed = m_t_mesh.number_of_fixed_arcs(n);
+        return std::make_pair(fixed == 0 ? 0 : fixed == 2 ? 1 : 2, std::abs(m_t_mesh.index(n)));
       };
       const int node = *std::max_element(c.nodes.begin(), c.nodes.end(),
                                          [&](int m, int n) { return rank(m) < rank(n); });

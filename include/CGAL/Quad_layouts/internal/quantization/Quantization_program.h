@@ -113,10 +113,15 @@ inline bool leads_to_singularity(const T_mesh& t_mesh, const Run& run)
   return t_mesh.is_fixed(a) || t_mesh.is_singularity_or_seed(t_mesh.target(2 * a));
 }
 
-// says if run `run` is a fixed curve inside of the surface, both ends of which have to be kept
+// Says if both ends of a fixed run have to be kept: where fixed curves inside of the surface have
+// corners, end or meet. Corners of the border may merge.
 inline bool is_kept(const T_mesh& t_mesh, const Run& run)
 {
-  return t_mesh.is_fixed(run.arcs.back()) && !t_mesh.is_border_edge(run.arcs.back());
+  const int a = run.arcs.back();
+  const auto is_on_border_only = [&](int n) { return t_mesh.number_of_fixed_arcs(n) == 2; };
+  return t_mesh.is_fixed(a) &&
+         !(t_mesh.is_border_edge(a) && is_on_border_only(t_mesh.source(2 * a)) &&
+           is_on_border_only(t_mesh.target(2 * a)) && is_on_border_only(run.start));
 }
 
 // returns per run the prefixes that rows (2) and (6) ask to be positive. Of equally long legs the

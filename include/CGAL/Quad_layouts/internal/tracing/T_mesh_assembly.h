@@ -82,7 +82,7 @@ private:
       }
   }
 
-  // where traces cross fixed edges, or end on the border
+  // where traces cross fixed edges, or end there
   void make_nodes_on_fixed_edges()
   {
     for (const auto& t : m_motorcycles.traces()) {
@@ -147,7 +147,9 @@ private:
     const int node = m_node_of_point[last.to.point];
     CGAL_assertion_msg(node >= 0, "a trace has not stopped");
     end_arc(t, node, 1, last.end - length);
-    around(node)[1] = m_result.number_of_halfedges() - 1;
+    const int h = last.to.halfedge;
+    around(node)[surface().halfedge_of_edge(surface().edge(h)) == h ? 1 : 3] =
+      m_result.number_of_halfedges() - 1;
   }
 
   // goes on in a new arc behind a fixed edge
