@@ -14,6 +14,8 @@
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
+#include <CGAL/Quad_layouts/measure_quad_mesh.h>
+#include <CGAL/Quad_layouts/quad_remesh.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
@@ -95,6 +97,59 @@ BOOST_AUTO_TEST_CASE(edges_of_a_cube)
   const Result r = run(mesh, sharp_edges(mesh));
   BOOST_TEST(r.t_mesh.number_of_faces() == 6);
   BOOST_TEST(r.layout.number_of_patches == 6);
+}
+
+// A pair of valence 3 and 5 on one side of a cube whose edges are fixed: it can only merge (Figure 5 of
+// Lyon, Campen and Kobbelt 2021).
+BOOST_AUTO_TEST_CASE(a_pair_between_fixed_edges_merges)
+{
+  Mesh mesh = generated::cube(10);
+  const auto is_feature = sharp_edges(mesh);
+  const auto direction =
+      mesh.add_property_map<Mesh::Face_index, generated::Vector>("f:v", {0, 0, 0}).first;
+  for (const auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const auto c = CGAL::centroid(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                                  mesh.point(target(next(h, mesh), mesh)));
+    const double angle = (std::atan2(c.y() - 0.5, c.x() - 0.25) -
+                          std::atan2(c.y() - 0.5, c.x() - 0.75)) / 4;
+    direction[f] = c.z() > 1 - 1e-9  ? generated::Vector(std::cos(angle), std::sin(angle), 0)
+                   : c.z() < 1e-9    ? generated::Vector(1, 0, 0)
+                                     : generated::Vector(0, 0, 1);
+  }
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, parameters::default_values().edge_is_constrained_map(is_feature).face_direction_map(
+                direction));
+  BOOST_TEST(field.number_of_singularities() == 10);
+  const QL::T_mesh t = QL::trace_motorcycle_graph(field);
+  invariants::check_t_mesh(t);
+  const QL::Quantization q = QL::quantize(t);
+  BOOST_TEST_REQUIRE(q.status != QL::Quantization::INFEASIBLE);
+  const QL::Quad_layout layout = QL::extract_quad_layout(t, q);
+  BOOST_TEST(layout.number_of_irregular_vertices() == 8);
+  BOOST_TEST(layout.number_of_patches == 6);
+}
+
+BOOST_AUTO_TEST_CASE(quad_vertices_stay_on_the_edges_of_a_cube)
+{
+  Mesh mesh = generated::voxel_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 4);
+  const auto is_feature = sharp_edges(mesh);
+  Mesh quads;
+  const auto on_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  QL::quad_remesh(mesh, quads,
+                  parameters::target_edge_length(0.1).edge_is_constrained_map(is_feature),
+                  parameters::default_values().edge_is_constrained_map(on_feature));
+  double length = 0, expected = 0;
+  for (const auto e : edges(mesh))
+    if (is_feature[e])
+      expected += std::sqrt(CGAL::squared_distance(mesh.point(source(e, mesh)),
+                                                   mesh.point(target(e, mesh))));
+  for (const auto e : edges(quads))
+    if (on_feature[e])
+      length += std::sqrt(CGAL::squared_distance(quads.point(source(e, quads)),
+                                                 quads.point(target(e, quads))));
+  BOOST_TEST(length == expected, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(QL::measure_quad_mesh(quads).msj_minimum > 0.9);
 }
 
 // A plate is divided by a curve from border to border, and by one that ends inside.
