@@ -118,8 +118,7 @@ BOOST_AUTO_TEST_CASE(a_pair_between_fixed_edges_merges)
                                      : generated::Vector(0, 0, 1);
   }
   const QL::Cross_field field = QL::compute_cross_field(
-      mesh, parameters::default_values().edge_is_constrained_map(is_feature).face_direction_map(
-                direction));
+      mesh, parameters::face_direction_map(direction).edge_is_constrained_map(is_feature));
   BOOST_TEST(field.number_of_singularities() == 10);
   const QL::T_mesh t = QL::trace_motorcycle_graph(field);
   invariants::check_t_mesh(t);
