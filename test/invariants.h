@@ -133,9 +133,9 @@ inline void check_trace(const T_mesh& t, int i)
   }) == 0);
   BOOST_TEST(violations(last + 1, [&](int k) { return t.trace(arcs[k]) == i; }) == 0);
   const int end = t.target(2 * arcs.back());
-  if (t.is_border_edge(arcs.back())) {
+  if (t.is_fixed(arcs.back())) {
     BOOST_TEST(t.is_singularity_or_seed(end));
-    BOOST_TEST(violations(last + 1, [&](int k) { return t.is_border(2 * arcs[k] + 1); }) == 0);
+    BOOST_TEST(violations(last + 1, [&](int k) { return t.is_fixed(arcs[k]); }) == 0);
   } else {
     BOOST_TEST(t.node_visits[end][1].trace == i);
     BOOST_TEST(t.node_visits[end][1].arcs == last + 1);
@@ -158,7 +158,7 @@ inline void check_visits(const T_mesh& t)
     for (const T_mesh::Visit& v : t.node_visits[n])
       if (t.target(2 * t.traces[v.trace].arcs[v.arcs - 1]) != n)
         return false;
-    return t.node_visits[n].empty() || t.is_on_border(n)
+    return t.node_visits[n].empty() || t.is_on_fixed_curve(n)
         || length_until(t, t.node_visits[n][0]) <= length_until(t, t.node_visits[n][1]) + tolerance;
   }) == 0);
 }
@@ -178,7 +178,12 @@ inline void follow_edge(const T_mesh& t, int h, std::vector<std::pair<int, int>>
   const auto& surface = t.surface();
   const int e = surface.edge(h);
   const auto& crossings = t.edge_crossings[e];
-  const auto& along = t.edge_arcs[e];
+  auto along = t.edge_arcs[e];
+  if (surface.halfedge_of_edge(e) != h) {
+    std::reverse(along.begin(), along.end());
+    for (int& a : along)
+      a = Halfedge_complex::opposite(a);
+  }
   for (std::size_t i = 0; i < along.size(); ++i)
     steps.emplace_back(t.face(along[i == 0 ? 0 : i - 1]), t.face(along[i]));
   if (surface.halfedge_of_edge(e) == h)
@@ -212,10 +217,9 @@ inline bool leaves_through_corners(const T_mesh& t, int n)
   t.surface().for_each_outgoing(t.surface_vertex(n), [&](int h) {
     in_corners.insert(in_corners.end(), t.corner_arcs[h].begin(), t.corner_arcs[h].end());
   });
-  if (t.is_on_border(n)) { // two arcs run along edges
-    around.erase(around.begin());
-    around.pop_back();
-  }
+  around.erase(std::remove_if(around.begin(), around.end(),
+                              [&](int h) { return t.is_fixed(Halfedge_complex::edge(h)); }),
+               around.end());
   if (in_corners.empty())
     return around.empty();
   const auto first = std::find(around.begin(), around.end(), in_corners.front());

@@ -31,6 +31,7 @@ struct Options
   double displacement = 2;     // target edge lengths
   double edge_length = 0.01;   // of the diagonal of the bounding box
   double time_limit = 30;      // seconds
+  double features = 0;         // degrees; 0: none
   int min_valence = 3;
   int max_valence = 8;
   bool quiet = false;
@@ -42,6 +43,7 @@ inline const char* usage()
   return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
          "                         [--solver NAME] [--time-limit S] [--field FILE]\n"
+         "                         [--features DEG]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
          "Computes a simple quad layout of a triangle mesh, and a quad mesh on it.\n"
@@ -56,6 +58,7 @@ inline const char* usage()
          "  --solver NAME          of the integer program: glpk, cbc or highs (glpk)\n"
          "  --time-limit S         for the integer program, in seconds (30)\n"
          "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
+         "  --features DEG         keep edges that are sharper than this angle (none)\n"
          "  --write-program FILE   where to write the integer program, in MPS format\n"
          "  --read-solution FILE   a solution of that program, used instead of solving it\n"
          "  --quiet                no progress on the standard error stream\n"
@@ -125,6 +128,7 @@ inline Options parse(int argc, char* argv[])
       {"--solver", text(result.solver)},
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
+      {"--features", real(result.features)},
       {"--write-program", text(result.program)},
       {"--read-solution", text(result.solution)},
   };
@@ -149,6 +153,8 @@ inline Options parse(int argc, char* argv[])
   if (result.input.empty() && !result.help)
     throw Usage_error("no input");
   check_solver(result.solver);
+  if (result.features < 0 || result.features > 180)
+    throw Usage_error("--features needs an angle from 0 to 180 degrees");
   return result;
 }
 

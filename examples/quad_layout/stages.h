@@ -30,6 +30,7 @@
 #endif
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Real_timer.h>
 
 #include <cmath>
@@ -123,9 +124,20 @@ inline double diagonal(const Mesh& mesh)
                    CGAL::square(box.z_span()));
 }
 
-inline QL::Cross_field field_of(Mesh& mesh, const Options& options, Progress& progress)
+// the sharp edges of a mesh, none if the angle is 0
+inline Mesh::Property_map<Mesh::Edge_index, bool> sharp_edges(Mesh& mesh, double angle)
 {
-  const auto np = QL::parameters::visitor(std::ref(progress));
+  const auto result = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  if (angle > 0)
+    CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, angle, result);
+  return result;
+}
+
+template <class EdgeMap>
+QL::Cross_field field_of(Mesh& mesh, const Options& options, const EdgeMap& features,
+                         Progress& progress)
+{
+  const auto np = QL::parameters::visitor(std::ref(progress)).edge_is_constrained_map(features);
   if (options.field.empty())
     return QL::compute_cross_field(mesh, np);
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
@@ -185,7 +197,10 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
   r.is_layout_edge =
       r.quads.add_property_map<Mesh::Edge_index, bool>("e:is_layout_edge", false).first;
 
-  r.field = clock("field", [&] { return field_of(mesh, options, progress); });
+  const auto features = sharp_edges(mesh, options.features);
+  const auto on_feature = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_feature", false)
+                              .first;
+  r.field = clock("field", [&] { return field_of(mesh, options, features, progress); });
   r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, np); });
   if (!options.program.empty())
     write_program(options.program, r.t_mesh, np);
@@ -193,15 +208,21 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
     return options.solution.empty() ? quantize_by(options.solver, r.t_mesh, np)
                                     : read_solution(options.solution, r.t_mesh, np);
   });
+  if (r.quantization.status == QL::Quantization::INFEASIBLE)
+    throw QL::Stage_failure("quantize: no valid quantization was found");
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
   r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, np); });
   clock("quad_mesh", [&] {
     QL::extract_quad_mesh(r.map, r.layout, r.quads,
                           QL::parameters::face_patch_map(r.patch)
                               .vertex_is_layout_node_map(r.is_node)
-                              .edge_is_layout_edge_map(r.is_layout_edge));
+                              .edge_is_layout_edge_map(r.is_layout_edge)
+                              .edge_is_constrained_map(on_feature));
   });
-  clock("smooth", [&] { QL::smooth_quad_mesh(r.quads, mesh, np); });
+  clock("smooth", [&] {
+    QL::smooth_quad_mesh(r.quads, mesh, np.edge_is_constrained_map(on_feature),
+                         QL::parameters::default_values().edge_is_constrained_map(features));
+  });
   clock.finish();
   r.quality = QL::measure_quad_mesh(r.quads);
 }

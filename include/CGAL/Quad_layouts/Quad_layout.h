@@ -21,7 +21,8 @@ is a conforming quad layout of a surface, as combinatorics: the quotient of a qu
 
 As a cell complex its faces are quadrilaterals, the unit squares of the quantization. Its *patches*
 are the faces of the base complex, the coarsest sub-complex without T-joints that contains all
-separatrices (the border, and chains of edges that leave an irregular vertex and go straight on): `patch` says to
+separatrices (the fixed curves, and chains of edges that leave an irregular vertex, or a corner of a
+fixed curve, and go straight on): `patch` says to
 which patch a face belongs.
 
 A *chord* is a class of edges that are opposite each other in faces; all edges of a chord are
@@ -65,6 +66,29 @@ public:
   /// returns four minus the valence of `v`, on the border three minus it.
   int index(int v) const { return (is_on_border(v) ? 3 : 4) - valence(v); }
 
+  /// says if an edge is part of a fixed curve, like the border.
+  bool is_fixed(int edge) const
+  {
+    return is_border_edge(edge) || (!edge_is_fixed.empty() && edge_is_fixed[edge] != 0);
+  }
+  /// says if `v` is regular, and on no fixed curve or on one that goes straight on there.
+  bool goes_straight_on(int v) const
+  {
+    if (!is_regular(v))
+      return false;
+    std::vector<int> fixed; // positions among the edges at v
+    int k = 0, h = halfedge_from(v);
+    do {
+      if (is_fixed(edge(h)))
+        fixed.push_back(k);
+      ++k;
+      h = turn_right(h);
+    } while (h != halfedge_from(v));
+    if (is_on_border(v))
+      return fixed.size() == 2;
+    return fixed.empty() || (fixed.size() == 2 && fixed[1] - fixed[0] == 2);
+  }
+
   int chord(int edge) const { return edge_chord[edge]; }
   bool is_on_separatrix(int edge) const { return edge_on_separatrix[edge] != 0; }
   int patch(int face) const { return face_patch[face]; }
@@ -83,6 +107,7 @@ public:
   int number_of_chords = 0;
   std::vector<int> edge_chord;
   std::vector<char> edge_on_separatrix;
+  std::vector<char> edge_is_fixed; ///< empty if no edge but those on the border is
   std::vector<int> face_patch;
   std::vector<Cluster> clusters; ///< in ascending order of their first node
   std::vector<int> node_vertex;  ///< per node of the T-mesh the layout vertex it becomes

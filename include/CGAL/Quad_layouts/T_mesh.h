@@ -26,8 +26,9 @@ motorcycle graph
 
 As a cell complex its vertices are called *nodes*, its edges *arcs*, its faces *patches*. Node kinds
 are singularities and seeds (both at a vertex of the surface), crossings of two traces, and
-T-joints, where a trace ends on another. The border is made of traces, too, which run from one of its
-singularities or seeds to the next, the surface on their left; the last arc of each ends there. Arc `a` belongs to one trace; its halfedge `2a` points the
+T-joints, where a trace ends on another. *Fixed* curves, like the border, are made of traces, too, which
+run from one of their singularities or seeds to the next, on the border with the surface on their left;
+the last arc of each ends there. Arc `a` belongs to one trace; its halfedge `2a` points the
 way the trace runs.
 
 A patch is a disc with four corners; `is_corner(h)` says that the patch of `h` has a corner between
@@ -64,6 +65,23 @@ public:
 
   double length(int arc) const { return arc_length[arc]; }
   int trace(int arc) const { return arc_trace[arc]; }
+  /// says if an arc is part of a fixed curve.
+  bool is_fixed(int arc) const
+  {
+    return is_border_edge(arc) || (arc < int(arc_pieces.size()) && !arc_pieces[arc].empty());
+  }
+  /// returns the number of arcs of fixed curves at node `n`.
+  int number_of_fixed_arcs(int n) const
+  {
+    int result = 0, h = halfedge_from(n);
+    do {
+      result += is_fixed(edge(h));
+      h = turn_right(h);
+    } while (h != halfedge_from(n));
+    return result;
+  }
+  /// says if node `n` is on a fixed curve.
+  bool is_on_fixed_curve(int n) const { return is_on_border(n) || number_of_fixed_arcs(n) > 0; }
   bool is_corner(int h) const { return halfedge_is_corner[h] != 0; }
   /// returns the vertex of the surface at which node `n` lies, -1 for crossings and T-joints.
   int surface_vertex(int n) const { return node_surface_vertex[n]; }
@@ -101,8 +119,8 @@ public:
   /// per node the passing traces: none at singularities and seeds, else two (the second one ends
   /// here at a T-joint or both pass). A trace that crosses itself is listed twice. The second visit
   /// is that of the longer trace: l_ij > l_ji for i the second and j the first, equal lengths being
-  /// ordered by the numbers of the traces. On the border the second visit is that of the trace that
-  /// ends there.
+  /// ordered by the numbers of the traces. On fixed curves the second visit is that of the other
+  /// trace.
   std::vector<std::vector<Visit>> node_visits;
 
   /// per edge of the surface the halfedges of the arcs that cross it, in order from the source of
@@ -110,14 +128,18 @@ public:
   /// source.
   std::vector<std::vector<int>> edge_crossings;
   /// per edge of the surface the halfedges of the arcs that run along it, in order along
-  /// `surface().halfedge_of_edge(e)` and in that direction; empty except on the border.
+  /// `surface().halfedge_of_edge(e)` and in that direction; empty unless it is fixed.
   std::vector<std::vector<int>> edge_arcs;
   /// where each of `edge_crossings`, or each node between two of `edge_arcs`, lies: the fraction of the
   /// edge before it. It never decreases along an edge; where lines converge beyond the resolution of
   /// numbers it stays the same.
   std::vector<std::vector<double>> crossing_parameters;
-  /// per arc the edges of the surface that it crosses, in the order of travel; none on the border.
+  /// per arc the edges of the surface that it crosses, in the order of travel; none on fixed
+  /// curves.
   std::vector<std::vector<Crossing>> arc_crossings;
+  /// per arc of a fixed curve the pieces of edges that it runs along, in the order of travel: the
+  /// halfedge of the surface in its direction, and the position in `edge_arcs`; empty for others.
+  std::vector<std::vector<Crossing>> arc_pieces;
   /// per corner (halfedge of the surface) the halfedges of the arcs that leave the node at its
   /// source into its face, counter-clockwise; empty away from nodes. Arcs along edges are not among
   /// them.

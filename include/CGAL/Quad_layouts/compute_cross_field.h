@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/internal/field/face_vectors.h>
 #include <CGAL/Quad_layouts/internal/field/smooth_cross_field.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
+#include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 #include <CGAL/Quad_layouts/parameters.h>
@@ -49,9 +50,9 @@ spread over several vertices where the mesh has them; in such places the matchin
 the one that turns the field least. A given field keeps its directions; only the matchings and
 indices are computed.
 
-Along the border the field always has the direction of the border edges, also where another
-direction is prescribed or given. Faces with several border edges are divided in three on the
-field's surface.
+Along *fixed* edges, which are those on the border and the constrained ones, the field always has the
+direction of the edges, also where another direction is prescribed or given. Faces with several fixed
+edges are divided in three on the field's surface.
 
 The indices of the field sum to four times the Euler characteristic. The components of the mesh do
 not influence one another, neither do scale and position; and the same input has the same output on
@@ -71,6 +72,15 @@ every run.
     \cgalParamType{double}
     \cgalParamDefault{`0.07`}
     \cgalParamExtra{It must not be negative.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges of feature curves, which are kept: they are lines of the field, of
+                          the T-mesh and of the layout, and quad vertices stay on them}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{none: only the border is kept}
+    \cgalParamExtra{The curves may be open, closed or branching.
+                    `CGAL::Polygon_mesh_processing::detect_sharp_edges()` finds sharp edges.}
   \cgalParamNEnd
   \cgalParamNBegin{face_constraint_map}
     \cgalParamDescription{a direction for some of the faces, which one direction of the cross there
@@ -148,10 +158,14 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
   const auto constraints =
     internal::read_face_vectors(tm, get_parameter(np, internal_np::face_constraint_map));
 
+  const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
+
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("compute_cross_field", [&] {
+    internal::Triangle_surface whole = internal::make_triangle_surface(tm, points);
+    internal::fix_constrained_edges(tm, is_constrained, whole);
     const auto surface = std::make_shared<const internal::Triangle_surface>(
-      internal::split_fixed_faces(internal::make_triangle_surface(tm, points)));
+      internal::split_fixed_faces(whole));
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);
   });

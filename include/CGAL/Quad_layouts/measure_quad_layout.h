@@ -53,7 +53,7 @@ inline int number_of_t_junctions(const Quad_layout& layout)
     result += corners > 4 ? corners - 4 : 0;
   }
   for (int h = 0; h < layout.number_of_halfedges(); ++h)
-    if (layout.is_on_separatrix(Quad_layout::edge(h)) && layout.valence(layout.source(h)) == 4 &&
+    if (layout.is_on_separatrix(Quad_layout::edge(h)) && layout.is_regular(layout.source(h)) &&
         !layout.is_on_border(layout.source(h))) {
       const int straight_on = layout.turn_left(layout.turn_left(h));
       result += !layout.is_on_separatrix(Quad_layout::edge(straight_on));

@@ -20,6 +20,9 @@
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +53,20 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Na
   if (quantization.status == Quantization::INFEASIBLE)
     throw Stage_failure("quantize: no valid layout was found that meets all demands");
   return extract_quad_layout(t_mesh, quantization);
+}
+
+// the pack, with a map for the edges on fixed curves if it has none; its values go to `on_curve`, as
+// the mesh has no edges yet
+template <class Edges, class NamedParameters>
+auto with_edge_map(Edges& on_curve, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::edge_is_constrained_t>::value)
+    return np.edge_is_constrained_map(boost::associative_property_map<Edges>(on_curve));
+  else {
+    CGAL_USE(on_curve);
+    return np;
+  }
 }
 
 } // namespace internal
@@ -130,8 +147,10 @@ void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
   const Cross_field field = compute_cross_field(tm, np);
   const T_mesh t_mesh = trace_motorcycle_graph(field, np);
   const Quad_layout layout = internal::simple_layout(t_mesh, tm, np);
-  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np), layout, out, np_out);
-  smooth_quad_mesh(out, tm, np_out, np);
+  std::unordered_map<typename boost::graph_traits<QuadMesh>::edge_descriptor, bool> on_curve;
+  const auto np_quads = internal::with_edge_map(on_curve, np_out);
+  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np), layout, out, np_quads);
+  smooth_quad_mesh(out, tm, np_quads, np);
 }
 
 } // namespace Quad_layouts

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_polygons.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quad_smoother.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
+#include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
@@ -64,8 +65,8 @@ Monitor monitor_from(const NamedParameters& np, const OtherParameters& other)
 moves the vertices of a quad mesh on a surface, so that its quads get closer to rectangles.
 
 All vertices move, irregular ones too: this is the step that carries the singularities of a layout
-to better places (\cgalCite{lck-sqlrs-21}, Section 5). Only irregular vertices on the border stay
-where they are; regular ones there slide along the border of the surface. First the vertices are put
+to better places (\cgalCite{lck-sqlrs-21}, Section 5). Only irregular vertices on the border and
+on features, and corners of these, stay where they are; others slide along them. First the vertices are put
 on the surface. Then they are moved to weighted means of their neighbours, where edges count more
 the longer they are and the more the surface bends along them. At last the quads' angles are
 optimized, by Newton steps for one vertex at a time. A move that would turn a quad inside out, or
@@ -93,6 +94,13 @@ listed below
                    three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges of `quads` on feature curves. Their vertices stay on constrained
+                          edges of the surface.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of `QuadMesh` as key
+                   type and `bool` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the number of sweeps over all vertices that optimize angles; there are
                           twice as many that take means of neighbours}
@@ -116,6 +124,12 @@ listed below
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
 three-dimensional point as value type} \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges of feature curves of the surface}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -149,10 +163,12 @@ void smooth_quad_mesh(QuadMesh& quads, const TriangleMesh& surface,
 
   const internal::Monitor monitor = internal::monitor_from(np_quads, np_surface);
   monitor.run("smooth_quad_mesh", [&] {
-    const internal::Triangle_surface triangles = internal::make_triangle_surface(surface,
-                                                                                 surface_points);
+    internal::Triangle_surface triangles = internal::make_triangle_surface(surface, surface_points);
+    internal::fix_constrained_edges(
+        surface, get_parameter(np_surface, internal_np::edge_is_constrained), triangles);
     internal::Polygons mesh = internal::make_polygons(quads, quad_points);
     internal::check_quads(mesh);
+    internal::mark_features(quads, get_parameter(np_quads, internal_np::edge_is_constrained), mesh);
     const internal::Surface_walk walk(triangles);
     internal::Quad_smoother(mesh, walk).run(number_of_iterations, monitor);
     internal::put_points(mesh, quads, quad_points);

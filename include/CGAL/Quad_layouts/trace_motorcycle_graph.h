@@ -45,8 +45,9 @@ trace that they meet, as in a motorcycle graph. So quantizations can keep all si
 unless that is not enough: to a single pair of valence 3 and 5 on a torus, for instance, no quad mesh
 belongs (\cgalCite{ikrss-ntt-13}).
 
-The border is made of traces, too. Motorcycles that get there stop. A border without corners gets a
-seed.
+The border and other fixed curves are made of traces, too. Motorcycles that get to the border stop;
+fixed lines inside of the surface count as traces that start at both their ends. Closed fixed curves
+without corners get a seed.
 
 Where the field turns too fast for its triangles, the index of a singularity may appear at a
 neighbor of its vertex, and vertices at which no line would start (index 4 and more) share their

@@ -30,7 +30,7 @@ class Curve_mesh
 public:
   explicit Curve_mesh(const Triangle_surface& surface)
     : points(surface.points()), curve(surface.number_of_halfedges(), -1),
-      is_original(surface.number_of_halfedges(), 0)
+      is_original(surface.number_of_halfedges(), 0), is_fixed(surface.number_of_halfedges(), 0)
   {
     for (int h = 0; h < surface.number_of_halfedges(); ++h) {
       m_source.push_back(surface.source(h));
@@ -59,6 +59,12 @@ public:
             m_source[prev(h)] == m_infinite_vertex);
   }
   bool is_border_edge(int h) const { return is_outer(h) != is_outer(m_opposite[h]); }
+  bool is_on_fixed_curve(int v) const
+  {
+    bool result = false;
+    for_each_outgoing(v, [&](int h) { result |= is_fixed[h] != 0; });
+    return result;
+  }
 
   bool is_removed(int v) const { return m_vertex_halfedge[v] < 0; }
 
@@ -126,6 +132,7 @@ public:
     curve[front] = curve[h];
     curve[back] = curve[twin];
     is_original[front] = is_original[back] = is_original[h];
+    is_fixed[front] = is_fixed[back] = is_fixed[h];
     m_vertex_halfedge.push_back(front);
     m_vertex_halfedge[v] = back;
     return m;
@@ -144,7 +151,7 @@ public:
     for (const int g : {3 * (h / 3), 3 * (twin / 3)})
       for (int k = 0; k < 3; ++k) {
         m_source[g + k] = curve[g + k] = -1;
-        is_original[g + k] = 0;
+        is_original[g + k] = is_fixed[g + k] = 0;
       }
   }
 
@@ -171,6 +178,7 @@ public:
         m_opposite[g] = new_halfedge[m_opposite[h]];
         curve[g] = curve[h];
         is_original[g] = is_original[h];
+        is_fixed[g] = is_fixed[h];
       }
     m_infinite_vertex = -1;
     points.resize(vertices);
@@ -181,12 +189,14 @@ public:
     m_opposite.resize(halfedges);
     curve.resize(halfedges);
     is_original.resize(halfedges);
+    is_fixed.resize(halfedges);
     return new_vertex;
   }
 
   std::vector<Point> points;
   std::vector<int> curve;        // per halfedge: what it runs along, or -1
   std::vector<char> is_original; // per halfedge: whether it is part of an edge of the surface
+  std::vector<char> is_fixed;    // per halfedge: whether this edge is fixed
 
 private:
   void add_outer_triangles(const Triangle_surface& surface)
@@ -201,6 +211,7 @@ private:
         m_opposite.insert(m_opposite.end(), 3, -1);
         curve.insert(curve.end(), 3, -1);
         is_original.insert(is_original.end(), 3, 0);
+        is_fixed.insert(is_fixed.end(), 3, 0);
         glue(h, outer[h]);
         m_vertex_halfedge[m_infinite_vertex] = outer[h] + 2;
       }
@@ -230,6 +241,7 @@ private:
       m_opposite.push_back(-1);
       curve.push_back(-1);
       is_original.push_back(0);
+      is_fixed.push_back(0);
     }
     // of the two sides of the old face beside h, one moves to the new face and the cut takes its
     // place
@@ -238,6 +250,7 @@ private:
     glue(heir, m_opposite[moved]);
     curve[heir] = std::exchange(curve[moved], -1);
     is_original[heir] = std::exchange(is_original[moved], 0);
+    is_fixed[heir] = std::exchange(is_fixed[moved], 0);
     glue(moved, cut);
     m_vertex_halfedge[m_source[p]] = keep_target ? first + 2 : p;
     m_source[keep_target ? h : n] = m;
@@ -251,6 +264,7 @@ private:
     curve[a] = (std::max)(curve[a], curve[second]);
     curve[b] = (std::max)(curve[b], curve[first]);
     is_original[a] = is_original[b] = is_original[a] | is_original[b];
+    is_fixed[a] = is_fixed[b] = is_fixed[a] | is_fixed[b];
     glue(a, b);
     m_vertex_halfedge[m_source[a]] = a;
     return b;

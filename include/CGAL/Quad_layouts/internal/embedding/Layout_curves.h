@@ -32,8 +32,8 @@ namespace internal {
 //
 // Away from the preimages of the layout vertices, a layout edge follows one of the arcs that are
 // mapped to it. The preimage of a layout vertex has a neighbourhood that is a disc: inside, the
-// edges go to one vertex in the middle, which is on the border if the disc is at the border; then the
-// edges on the border come first and stay there. That is always possible, because paths to a common point
+// edges go to one vertex in the middle, which is on a fixed curve if there is one in the disc; then the
+// edges on fixed curves come first and stay there. That is always possible, because paths to a common point
 // never separate a disc into parts that are out of its reach, as long as the mesh has room beside
 // them: which splits make.
 class Layout_curves
@@ -69,27 +69,45 @@ private:
   enum Place : char { OUTSIDE, INSIDE, RIM, PATH };
 
   // A node that is a singularity is preferred, and must be where the layout vertex is irregular.
-  // Those of the layout on the border must be on the border.
+  // Those of the layout on fixed curves must be on these, and where curves meet, if there is such a
+  // place.
   void choose_vertices(const Curve_mesh& mesh)
   {
     m_vertex.assign(m_layout.number_of_vertices(), -1);
     for (int v = int(m_owner.size()) - 1; v >= 0; --v)
-      if (m_owner[v] >= 0 &&
-          (!m_layout.is_on_border(m_owner[v]) || mesh.border_halfedge_from(v) >= 0))
+      if (m_owner[v] >= 0 && (!is_on_fixed_curve(m_owner[v]) || mesh.is_on_fixed_curve(v)))
         m_vertex[m_owner[v]] = v;
     for (const Quad_layout::Cluster& c : m_layout.clusters) {
       const auto rank = [&](int n) {
-        return std::make_pair(m_t_mesh.is_on_border(n), std::abs(m_t_mesh.index(n)));
+        const int fixed = m_t_mesh.number_of_fixed_arcs(n);
+        return std::make_pair(fixed == 0 ? 0 : fixed == 2 ? 1 : 2, std::abs(m_t_mesh.index(n)));
       };
       const int node = *std::max_element(c.nodes.begin(), c.nodes.end(),
                                          [&](int m, int n) { return rank(m) < rank(n); });
-      if (m_t_mesh.is_on_border(node) == m_layout.is_on_border(c.vertex))
+      if (m_t_mesh.is_on_fixed_curve(node) == is_on_fixed_curve(c.vertex))
         m_vertex[c.vertex] = m_t_mesh.surface_vertex(node);
     }
   }
 
+  // of a layout vertex
+  bool is_on_fixed_curve(int v) const
+  {
+    const int first = m_layout.halfedge_from(v);
+    int l = first;
+    do {
+      if (is_fixed(l))
+        return true;
+      l = m_layout.turn_left(l);
+    } while (l != first);
+    return false;
+  }
+  bool is_fixed(int layout_halfedge) const
+  {
+    return m_layout.is_fixed(Quad_layout::edge(layout_halfedge));
+  }
+
   // Per halfedge of the mesh the layout halfedge whose curve it is to be part of, or -1. Of all
-  // arcs that are mapped to a layout edge, the longest is chosen, or the one on the border.
+  // arcs that are mapped to a layout edge, the longest is chosen, or the fixed one.
   std::vector<int> chosen_curves(const Quantized_overlay& overlay) const
   {
     using Unit = std::pair<int, int>; // arc, number along the arc
@@ -98,7 +116,7 @@ private:
       const std::vector<int>& path = m_layout.arc_halfedges[a];
       for (int i = 0; i < int(path.size()); ++i) {
         auto& unit = longest[path[i] / 2];
-        const double length = m_t_mesh.is_border_edge(a)
+        const double length = m_t_mesh.is_fixed(a)
                                   ? (std::numeric_limits<double>::infinity)()
                                   : m_t_mesh.length(a) / double(path.size());
         unit = (std::max)(unit, {length, {a, i}});
@@ -178,23 +196,18 @@ private:
         l = m_layout.turn_left(l);
       } while (l != first);
     };
-    if (m_layout.is_on_border(v))
+    for (const bool fixed : {true, false})
       for_each_edge([&](int l) {
-        if (m_layout.is_border_edge(Quad_layout::edge(l)))
+        if (is_fixed(l) == fixed)
           connect(v, l);
       });
-    for_each_edge([&](int l) {
-      if (!m_layout.is_border_edge(Quad_layout::edge(l)))
-        connect(v, l);
-    });
   }
 
   // leads layout halfedge l, which begins at v, from the rim to the middle
   void connect(int v, int l)
   {
-    const bool on_border = m_layout.is_border_edge(Quad_layout::edge(l));
     std::vector<int> vertices{m_vertex[v]};
-    for (const int h : path_to(m_vertex[v], m_exit[l], v, on_border)) {
+    for (const int h : path_to(m_vertex[v], m_exit[l], v, is_fixed(l))) {
       m_mesh.curve[h] = l;
       m_mesh.curve[m_mesh.opposite(h)] = l ^ 1;
       vertices.push_back(m_mesh.target(h));
@@ -203,9 +216,9 @@ private:
     make_room(vertices);
   }
 
-  // the halfedges of a shortest path through free vertices of the disc, along the border only if
-  // `on_border`
-  std::vector<int> path_to(int from, int to, int v, bool on_border)
+  // the halfedges of a shortest path through free vertices of the disc, along fixed edges only if
+  // `is_fixed`
+  std::vector<int> path_to(int from, int to, int v, bool is_fixed)
   {
     m_reached_by.resize(m_place.size(), -1);
     std::vector<int> queue{from}, path;
@@ -213,7 +226,7 @@ private:
       for (const int h : m_mesh.outgoing(queue[i]))
         if (const int w = m_mesh.target(h);
             m_reached_by[w] < 0 && (w == to || (is_inside(w) && m_owner[w] == v)) &&
-            (!on_border || m_mesh.is_border_edge(h))) {
+            (!is_fixed || m_mesh.is_fixed[h])) {
           m_reached_by[w] = h;
           queue.push_back(w);
         }

@@ -33,7 +33,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The layout vertices that are held at integer points: all irregular ones, and one of each
+// The layout vertices that are held at integer points: all irregular ones and corners of fixed curves,
+// and one of each
 // component that has none. `place` tells, per layout vertex, where on the mesh it is.
 inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vector<int>& place)
 {
@@ -48,7 +49,7 @@ inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vect
     cones.push_back({place[v], layout.index(v), v});
   };
   for (int v = 0; v < n; ++v)
-    if (!layout.is_regular(v))
+    if (!layout.goes_straight_on(v))
       hold(v);
   for (int v = 0; v < n; ++v)
     if (!has_cone[component.find_set(v)])

@@ -24,10 +24,11 @@ namespace internal {
 // A map of triangles to the plane, by charts: the unknowns are the coordinates of each vertex in a
 // chart of its own; `chart` of a corner leads from there to the chart of its face.
 //
-// Vertices on the border move along one axis of their charts, the line that the border is mapped to.
+// Vertices on fixed curves move along one axis of their charts, the line that the curve is mapped to.
 struct Map
 {
   enum Freedom : char { FREE, ALONG_X, ALONG_Y };
+  enum Side : char { PLAIN, FIXED, BORDER }; // no face is behind the last ones
 
   struct Face
   {
@@ -35,7 +36,7 @@ struct Map
     std::array<Chart_change, 3> chart;
     std::array<int, 3>
         curve; // per side, that from corner k to k + 1 first: what it runs along, or -1
-    std::array<char, 3> is_border; // per side: no face is behind it
+    std::array<Side, 3> side;
 
     int corner_of(int v) const { return vertex[0] == v ? 0 : vertex[1] == v ? 1 : 2; }
     bool has(int v) const { return vertex[0] == v || vertex[1] == v || vertex[2] == v; }
@@ -76,11 +77,13 @@ inline Map make_map(const Curve_mesh& mesh, const Layout_squares& squares,
   for (const Point& p : mesh.points)
     map.points.push_back(p / unit);
   for (const auto& t : mesh.triangles())
-    map.faces.push_back({t, {}, {-1, -1, -1}, {0, 0, 0}});
+    map.faces.push_back({t, {}, {-1, -1, -1}, {Map::PLAIN, Map::PLAIN, Map::PLAIN}});
   const auto is_on_curve = [&](int h) { return mesh.curve[h] >= 0; };
   for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
     map.faces[h / 3].curve[h % 3] = mesh.curve[h];
-    map.faces[h / 3].is_border[h % 3] = mesh.opposite(h) < 0;
+    map.faces[h / 3].side[h % 3] = mesh.opposite(h) < 0 ? Map::BORDER
+                                   : mesh.is_fixed[h]   ? Map::FIXED
+                                                        : Map::PLAIN;
   }
   for (int v = 0; v < int(mesh.points.size()); ++v) {
     std::vector<int> around = mesh.outgoing(v);
@@ -92,12 +95,13 @@ inline Map make_map(const Curve_mesh& mesh, const Layout_squares& squares,
       if (is_cone[v] && is_on_curve(h))
         chart.translation = squares.point(mesh.curve[h], 0);
       map.faces[h / 3].chart[h % 3] = chart;
+      if (mesh.is_fixed[h] && !is_cone[v])
+        map.freedom[v] = (squares.direction(mesh.curve[h]) - chart.quarter_turns) % 2 == 0
+                             ? Map::ALONG_X
+                             : Map::ALONG_Y;
       chart = squares.across(mesh.curve[Curve_mesh::prev(h)]).after(chart);
     }
     const bool on_border = !around.empty() && mesh.opposite(around.front()) < 0;
-    if (on_border) // the chart is that of the face at the beginning
-      map.freedom[v] = squares.direction(mesh.curve[around.front()]) % 2 == 0 ? Map::ALONG_X
-                                                                              : Map::ALONG_Y;
     CGAL_assertion(is_cone[v] || on_border ||
                    (chart.quarter_turns == 0 && chart.translation.isZero(0)));
   }

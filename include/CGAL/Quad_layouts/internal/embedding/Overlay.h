@@ -43,7 +43,7 @@ public:
     order_around_crossings();
     order_around_nodes();
     order_around_surface_vertices();
-    place_on_border_arcs();
+    place_on_arcs_along_edges();
     for (int v = 0; v < int(m_outgoing.size()); ++v)
       for (int i = 0; i < int(m_outgoing[v].size()); ++i) {
         m_half[m_outgoing[v][i]].source = v;
@@ -59,6 +59,7 @@ public:
   // per halfedge of the triangles
   std::vector<int> arc_halfedge; // of the T-mesh that it runs along, or -1
   std::vector<char> is_original; // whether it is part of an edge of the surface
+  std::vector<char> is_fixed;    // whether it is part of a fixed edge
   std::vector<Place> place;      // of the corner at its source
   std::vector<int> patch;        // per triangle
 
@@ -127,26 +128,15 @@ private:
     }
   }
 
-  // The arcs on a border are met in order on the way along it, from a vertex where one begins.
   void find_halves_along_arcs()
   {
     m_halves_along.resize(m_t_mesh.number_of_edges());
-    m_node_of_surface_vertex.assign(m_surface.number_of_vertices(), -1);
-    for (int n = 0; n < m_t_mesh.number_of_vertices(); ++n)
-      if (m_t_mesh.surface_vertex(n) >= 0)
-        m_node_of_surface_vertex[m_t_mesh.surface_vertex(n)] = n;
-    for (int n = 0; n < m_t_mesh.number_of_vertices(); ++n) {
-      int v = m_t_mesh.surface_vertex(n);
-      if (v < 0 || !m_surface.is_on_border(v))
-        continue;
-      do {
-        const int h = m_surface.halfedge(v), e = m_surface.edge(h);
-        for (std::size_t i = 0; i < m_t_mesh.edge_arcs[e].size(); ++i)
-          m_halves_along[T_mesh::edge(m_t_mesh.edge_arcs[e][i])].push_back(m_first_of_edge[e] +
-                                                                           2 * int(i));
-        v = m_surface.target(h);
-      } while (m_node_of_surface_vertex[v] < 0);
-    }
+    for (int a = 0; a < int(m_t_mesh.arc_pieces.size()); ++a)
+      for (const T_mesh::Crossing& piece : m_t_mesh.arc_pieces[a]) {
+        const int e = m_surface.edge(piece.halfedge);
+        const bool is_canonical = m_surface.halfedge_of_edge(e) == piece.halfedge;
+        m_halves_along[a].push_back(m_first_of_edge[e] + 2 * piece.position + !is_canonical);
+      }
   }
 
   // the first piece of a halfedge of the surface
@@ -214,14 +204,14 @@ private:
     for (int v = 0; v < m_surface.number_of_vertices(); ++v) {
       int last_arc = -1;
       m_surface.for_each_outgoing(v, [&](int h) {
+        if (arc_from(h) >= 0)
+          last_arc = arc_from(h);
         if (!m_t_mesh.corner_arcs[h].empty())
           last_arc = m_t_mesh.corner_arcs[h].back();
       });
-      if (m_surface.is_on_border(v))
-        last_arc = m_node_of_surface_vertex[v] < 0
-                       ? -1
-                       : m_t_mesh.halfedge_from(m_node_of_surface_vertex[v]);
       m_surface.for_each_outgoing(v, [&](int h) {
+        if (arc_from(h) >= 0)
+          last_arc = arc_from(h);
         m_outgoing[v].push_back(first_half(h));
         m_half[first_half(h)].place = {last_arc, 0.};
         for (const int arc : m_t_mesh.corner_arcs[h]) {
@@ -236,8 +226,15 @@ private:
     }
   }
 
+  // the halfedge of the arc that begins with halfedge h of the surface, -1 if there is none
+  int arc_from(int h) const
+  {
+    const int half = first_half(h), arc = m_half[half].arc_halfedge;
+    return arc >= 0 && first_half_of_arc(arc) == half ? arc : -1;
+  }
+
   // of the vertices of the surface that lie inside of arcs
-  void place_on_border_arcs()
+  void place_on_arcs_along_edges()
   {
     for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
       for (std::size_t i = 1; i < m_halves_along[a].size(); ++i)
@@ -300,9 +297,9 @@ private:
   void triangulate()
   {
     std::vector<char> is_outside(m_first_half.size(), 0);
-    for (const std::vector<int>& halves : m_halves_along)
-      for (const int h : halves)
-        is_outside[m_half[h ^ 1].piece] = 1;
+    for (int e = 0; e < m_surface.number_of_edges(); ++e)
+      if (m_surface.is_border(m_surface.halfedge_of_edge(e)))
+        is_outside[m_half[m_first_of_edge[e] + 1].piece] = 1;
     for (int p = 0; p < int(m_first_half.size()); ++p) {
       if (is_outside[p])
         continue;
@@ -321,6 +318,7 @@ private:
     triangles.back()[arc_halfedge.size() % 3] = half.source;
     arc_halfedge.push_back(half.arc_halfedge);
     is_original.push_back(half.is_original);
+    is_fixed.push_back(half.is_original && half.arc_halfedge >= 0);
     place.push_back(half.place);
   }
 
@@ -353,7 +351,6 @@ private:
   const T_mesh& m_t_mesh;
   const Triangle_surface& m_surface;
   std::vector<int> m_first_crossing, m_node_vertex, m_first_of_edge, m_first_of_arc;
-  std::vector<int> m_node_of_surface_vertex;
   std::vector<std::vector<int>> m_halves_along; // per arc that runs along edges, in its direction
   std::vector<std::vector<int>> m_outgoing; // per vertex, counter-clockwise
   std::vector<Half> m_half;

@@ -36,6 +36,7 @@ public:
     m_mesh = Curve_mesh(Triangle_surface(overlay.points, overlay.triangles));
     std::copy(overlay.arc_halfedge.begin(), overlay.arc_halfedge.end(), m_mesh.curve.begin());
     std::copy(overlay.is_original.begin(), overlay.is_original.end(), m_mesh.is_original.begin());
+    std::copy(overlay.is_fixed.begin(), overlay.is_fixed.end(), m_mesh.is_fixed.begin());
     m_patch = std::move(overlay.patch);
     mark_outside();
     m_layout_vertex.assign(m_mesh.points.size(), -1);
@@ -151,7 +152,7 @@ private:
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_mesh.is_outer(h) && m_mesh.is_border_edge(h)) {
         m_mesh.curve[h] = T_mesh::opposite(m_mesh.curve[m_mesh.opposite(h)]);
-        m_mesh.is_original[h] = 1;
+        m_mesh.is_original[h] = m_mesh.is_fixed[h] = 1;
       }
   }
 

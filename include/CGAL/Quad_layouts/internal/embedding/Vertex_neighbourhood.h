@@ -11,8 +11,9 @@
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
 #include <CGAL/Quad_layouts/internal/embedding/Rest_shape.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <vector>
 
@@ -33,10 +34,10 @@ public:
       const Map::Face& face = map.faces[f];
       const int k = face.corner_of(v), a = (k + 1) % 3, b = (k + 2) % 3;
       const Chart_change to_vertex = face.chart[k].inverse();
-      if (face.is_border[k])
-        m_border[0] = to_vertex(map.corner(face, a));
-      if (face.is_border[b])
-        m_border[1] = to_vertex(map.corner(face, b));
+      if (face.side[k] != Map::PLAIN)
+        m_on_curve.push_back(to_vertex(map.corner(face, a)));
+      if (face.side[b] == Map::BORDER)
+        m_on_curve.push_back(to_vertex(map.corner(face, b)));
       m_triangles.push_back({to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
                              Rest_shape(map.points[v], map.points[face.vertex[a]],
                                         map.points[face.vertex[b]], aspect)});
@@ -44,12 +45,12 @@ public:
   }
 
   // Finds a point from which all opposite edges are seen from their left: the centroid of the
-  // kernel of the polygon that they form. Returns false if the kernel is empty. On the border it is
-  // the middle of the kernel's side there.
+  // kernel of the polygon that they form. Returns false if the kernel is empty. On a fixed
+  // curve it is the middle of what the kernel has of the curve.
   bool find_center(Point2& center) const
   {
     if (m_freedom != Map::FREE)
-      return find_center_on_border(center);
+      return find_center_on_curve(center);
     std::vector<Point2> kernel = bounding_box();
     for (const Triangle& t : m_triangles)
       kernel = left_part(kernel, t.a, t.b);
@@ -85,9 +86,10 @@ private:
     Eigen::Matrix2d jacobian(const Point2& x) const { return rest.jacobian({x, a, b}); }
   };
 
-  bool find_center_on_border(Point2& center) const
+  bool find_center_on_curve(Point2& center) const
   {
-    const auto& [p, q] = m_border;
+    CGAL_assertion(m_on_curve.size() == 2);
+    const Point2 &p = m_on_curve[0], &q = m_on_curve[1];
     double low = 0, high = 1;
     for (const Triangle& t : m_triangles) {
       const double at_p = side(t.a, t.b, p), at_q = side(t.a, t.b, q);
@@ -173,7 +175,7 @@ private:
 
   std::vector<Triangle> m_triangles;
   Map::Freedom m_freedom;
-  std::array<Point2, 2> m_border; // the next vertex on the border, and that before
+  std::vector<Point2> m_on_curve; // the neighbours on the fixed curve
 };
 
 } // namespace internal

@@ -55,7 +55,7 @@ public:
           m_kind[f.vertex[k]] = ON_CURVE;
     for (const Map::Face& f : map.faces)
       for (int k = 0; k < 3; ++k)
-        if (f.is_border[k])
+        if (f.side[k] == Map::BORDER)
           m_on_border[f.vertex[k]] = 1;
     for (const int v : ends)
       m_kind[v] = HELD;
@@ -118,7 +118,7 @@ public:
       const Map::Face& face = m_map.faces[f];
       const int k = face.corner_of(u), before = (k + 2) % 3;
       visit(face.vertex[(k + 1) % 3]);
-      if (face.is_border[before])
+      if (face.side[before] == Map::BORDER)
         visit(face.vertex[before]);
     }
   }
@@ -208,8 +208,8 @@ private:
     return std::any_of(m_star[u].begin(), m_star[u].end(), [&](int f) {
       const Map::Face& face = m_map.faces[f];
       const int k = face.corner_of(u), before = (k + 2) % 3;
-      return (face.is_border[k] && face.vertex[(k + 1) % 3] == v) ||
-             (face.is_border[before] && face.vertex[before] == v);
+      return (face.side[k] == Map::BORDER && face.vertex[(k + 1) % 3] == v) ||
+             (face.side[before] == Map::BORDER && face.vertex[before] == v);
     });
   }
 
@@ -306,7 +306,7 @@ private:
       for (int k = 0; k < 3; ++k)
         if (m_map.faces[f].vertex[k] == from && m_map.faces[f].vertex[(k + 1) % 3] == to) {
           m_map.faces[f].curve[k] = removed.curve[side];
-          m_map.faces[f].is_border[k] = removed.is_border[side];
+          m_map.faces[f].side[k] = removed.side[side];
         }
   }
 

@@ -46,11 +46,8 @@ inline void spread_region(const Curve_mesh& mesh, const Quad_layout& layout, int
       if (mesh.curve[h] >= 0 && layout.face(mesh.curve[h]) != f)
         throw Stage_failure("embed: the curves around layout face " + std::to_string(f) +
                             " are in disorder");
-      if (mesh.opposite(h) < 0) {
-        if (mesh.curve[h] < 0 || !layout.is_border(Quad_layout::opposite(mesh.curve[h])))
-          throw Stage_failure("embed: the border is not made of edges of the layout");
+      if (mesh.opposite(h) < 0)
         continue;
-      }
       const int g = mesh.opposite(h) / 3;
       if (mesh.curve[h] < 0 && face[g] < 0) {
         face[g] = f;
@@ -76,9 +73,19 @@ inline void check_regions(const Curve_mesh& mesh, const Quad_layout& layout)
                           std::to_string(regions[f]) + " regions on the surface");
 }
 
+// throws unless the curves of fixed layout edges, and no others, run along fixed edges
+inline void check_fixed_curves(const Curve_mesh& mesh, const Quad_layout& layout)
+{
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    if ((mesh.curve[h] >= 0 && layout.is_fixed(Quad_layout::edge(mesh.curve[h]))) !=
+        (mesh.is_fixed[h] != 0))
+      throw Stage_failure("embed: fixed curves are not made of fixed edges of the layout");
+}
+
 inline void check_embedded_layout(const Embedded_layout& embedded, const Quad_layout& layout)
 {
   check_ends(embedded, layout);
+  check_fixed_curves(embedded.mesh, layout);
   check_regions(embedded.mesh, layout);
 }
 

@@ -45,7 +45,9 @@ public:
   int length(int arc) const { return m_length[arc]; }
   int width(int patch) const { return int(m_sides[patch][0].size()); }
   int height(int patch) const { return int(m_sides[patch][1].size()); }
-  bool is_on_border(int point) const { return m_is_on_border[point] != 0; }
+  bool is_on_border(int point) const { return m_place[point] == ON_BORDER; }
+  // or on another fixed curve
+  bool is_on_fixed_curve(int point) const { return m_place[point] != INSIDE; }
   // has no squares: one or both of its extents are 0
   bool is_flat(int patch) const { return width(patch) == 0 || height(patch) == 0; }
   bool is_point(int patch) const { return width(patch) == 0 && height(patch) == 0; }
@@ -76,24 +78,28 @@ public:
   }
 
 private:
+  enum Place : char { INSIDE, ON_FIXED_CURVE, ON_BORDER };
+
   void number_points_and_segments()
   {
     const T_mesh& t = *m_t_mesh;
     m_number_of_points = t.number_of_vertices();
     for (int n = 0; n < t.number_of_vertices(); ++n)
-      m_is_on_border.push_back(t.is_on_border(n));
+      m_place.push_back(t.is_on_border(n)         ? ON_BORDER
+                        : t.is_on_fixed_curve(n) ? ON_FIXED_CURVE
+                                                 : INSIDE);
     m_first_segment.reserve(m_length.size());
     for (int a = 0; a < t.number_of_edges(); ++a) {
       if (m_length[a] < 0)
         throw Stage_failure("layout: the length of arc " + std::to_string(a) + " is negative");
       m_first_segment.push_back(int(m_arc.size()));
-      const bool is_border = t.is_border_edge(a);
+      const Place place = t.is_border_edge(a) ? ON_BORDER : t.is_fixed(a) ? ON_FIXED_CURVE : INSIDE;
       for (int i = 0; i < m_length[a]; ++i) {
         m_arc.push_back(a);
         m_source.push_back(i == 0 ? t.source(2 * a) : m_number_of_points++);
         m_source.push_back(i == m_length[a] - 1 ? t.target(2 * a) : m_number_of_points);
       }
-      m_is_on_border.resize(m_number_of_points, is_border);
+      m_place.resize(m_number_of_points, place);
     }
   }
 
@@ -139,7 +145,7 @@ private:
   const T_mesh* m_t_mesh;
   std::vector<int> m_length;
   int m_number_of_points = 0;
-  std::vector<char> m_is_on_border;     // per point
+  std::vector<Place> m_place;           // per point
   std::vector<int> m_first_segment;     // per arc
   std::vector<int> m_arc;               // per segment
   std::vector<int> m_source, m_across;  // per half-segment

@@ -74,11 +74,14 @@ inline void relate_to_t_mesh(const Glued_squares& squares, const std::vector<int
       layout.grids[p].squares.push_back(halfedge_of_side[4 * (squares.first_square(p) + i)]);
   }
   layout.arc_halfedges.resize(grid.t_mesh().number_of_edges());
+  layout.edge_is_fixed.assign(layout.number_of_edges(), 0);
   for (int s = 0; s < grid.number_of_half_segments(); s += 2) {
     const int left = squares.side_on(s);
     layout.arc_halfedges[grid.arc(s)].push_back(
       left >= 0 ? halfedge_of_side[left]
                 : Quad_layout::opposite(halfedge_of_side[squares.side_on(s + 1)]));
+    if (grid.t_mesh().is_fixed(grid.arc(s)))
+      layout.edge_is_fixed[Quad_layout::edge(layout.arc_halfedges[grid.arc(s)].back())] = 1;
   }
 }
 

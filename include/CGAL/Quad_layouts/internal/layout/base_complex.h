@@ -30,19 +30,21 @@ inline void collect_chords(Quad_layout& layout)
   layout.edge_chord = std::move(chords.class_of);
 }
 
-// Marks the border, and the chains of edges that leave irregular vertices and go straight on through
-// regular ones, up to the border.
+// Marks the fixed curves, and the chains of edges that leave irregular vertices, and those where fixed
+// curves do not go straight on, and go straight on through others, up to the border.
 inline void mark_separatrices(Quad_layout& layout)
 {
   const int n = layout.number_of_vertices();
-  std::vector<char> regular(n), goes_on(n);
+  std::vector<char> straight(n), goes_on(n);
   for (int v = 0; v < n; ++v) {
-    regular[v] = layout.is_regular(v);
-    goes_on[v] = regular[v] && !layout.is_on_border(v);
+    straight[v] = layout.goes_straight_on(v);
+    goes_on[v] = straight[v] && !layout.is_on_border(v);
   }
   layout.edge_on_separatrix.assign(layout.number_of_edges(), 0);
   for (int first = 0; first < layout.number_of_halfedges(); ++first) {
-    if (regular[layout.source(first)] && !layout.is_border(first))
+    if (layout.is_fixed(Quad_layout::edge(first)))
+      layout.edge_on_separatrix[Quad_layout::edge(first)] = 1;
+    if (straight[layout.source(first)] || layout.is_border(first))
       continue;
     int h = first;
     layout.edge_on_separatrix[Quad_layout::edge(h)] = 1;
@@ -58,7 +60,7 @@ inline void collect_patches(Quad_layout& layout)
 {
   Disjoint_sets sets(layout.number_of_faces());
   for (int e = 0; e < layout.number_of_edges(); ++e)
-    if (!layout.is_on_separatrix(e) && !layout.is_border_edge(e))
+    if (!layout.is_on_separatrix(e))
       sets.union_set(layout.face(2 * e), layout.face(2 * e + 1));
   Numbered_classes patches = number_classes(sets, layout.number_of_faces());
   layout.number_of_patches = patches.number;

@@ -62,11 +62,11 @@ public:
     return std::any_of(points.begin(), points.end(),
                        [&](int p) { return m_grid->is_on_border(p); });
   }
-  // whether a connection is part of the border
-  bool is_border(int connection) const
+  // whether a connection is part of a fixed curve
+  bool is_fixed(int connection) const
   {
     const int a = m_connections[connection].arc;
-    return a >= 0 && m_grid->t_mesh().is_border_edge(a);
+    return a >= 0 && m_grid->t_mesh().is_fixed(a);
   }
   const Zero_connection& connection(int c) const { return m_connections[c]; }
 

@@ -18,16 +18,16 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Returns the point among some nodes, those on the border if there are any, that has the least
+// Returns the point among some nodes, those on fixed curves if there are any, that has the least
 // greatest distance to the others.
 inline Point central_point(const T_mesh& t, const std::vector<int>& nodes)
 {
   Point best = t.point(nodes.front());
   double least = (std::numeric_limits<double>::infinity)();
-  const bool on_border = std::any_of(nodes.begin(), nodes.end(),
-                                     [&](int n) { return t.is_on_border(n); });
+  const bool on_curve = std::any_of(nodes.begin(), nodes.end(),
+                                    [&](int n) { return t.is_on_fixed_curve(n); });
   for (int n : nodes) {
-    if (t.is_on_border(n) != on_border)
+    if (t.is_on_fixed_curve(n) != on_curve)
       continue;
     double greatest = 0;
     for (int m : nodes)
@@ -92,10 +92,11 @@ inline void place_vertices(const Fibres& fibres, const std::vector<int>& vertex_
   const std::vector<Point> points = points_on_arcs(fibres.grid());
   for (int f = 0; f < fibres.size(); ++f) {
     const std::vector<int>& of_fibre = fibres.fibre(f).points;
-    const auto on_border = std::find_if(of_fibre.begin(), of_fibre.end(),
-                                        [&](int p) { return fibres.grid().is_on_border(p); });
+    const auto on_curve = std::find_if(of_fibre.begin(), of_fibre.end(), [&](int p) {
+      return fibres.grid().is_on_fixed_curve(p);
+    });
     layout.vertex_point[vertex_of_fibre[f]] =
-      points[on_border == of_fibre.end() ? of_fibre.front() : *on_border];
+      points[on_curve == of_fibre.end() ? of_fibre.front() : *on_curve];
   }
   for (const Quad_layout::Cluster& c : layout.clusters)
     layout.vertex_point[c.vertex] = central_point(t, c.nodes);

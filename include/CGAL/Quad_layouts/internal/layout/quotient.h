@@ -169,19 +169,19 @@ inline void find_unfilled_loops(const Fibres& fibres, Quotient_report& report)
   }
 }
 
-// The points of a fibre on the border, by pieces that arcs of length 0 on the border join.
-inline std::vector<std::vector<int>> border_pieces(const Fibres& fibres, int fibre)
+// The points of a fibre on fixed curves, by pieces that arcs of length 0 on these join.
+inline std::vector<std::vector<int>> fixed_pieces(const Fibres& fibres, int fibre)
 {
   std::map<int, int> number; // within the fibre
   std::vector<int> points;
   for (int p : fibres.fibre(fibre).points)
-    if (fibres.grid().is_on_border(p)) {
+    if (fibres.grid().is_on_fixed_curve(p)) {
       number[p] = int(points.size());
       points.push_back(p);
     }
   Disjoint_sets sets(int(points.size()));
   for (int c : fibres.fibre(fibre).connections)
-    if (fibres.is_border(c))
+    if (fibres.is_fixed(c))
       sets.union_set(number.at(fibres.connection(c).from), number.at(fibres.connection(c).to));
   const Numbered_classes classes = number_classes(sets, int(points.size()));
   std::vector<std::vector<int>> result(classes.number);
@@ -190,45 +190,49 @@ inline std::vector<std::vector<int>> border_pieces(const Fibres& fibres, int fib
   return result;
 }
 
-// the connections of a fibre that are part of the border
-inline std::vector<int> border_connections(const Fibres& fibres, int fibre)
+// the connections of a fibre that are part of fixed curves
+inline std::vector<int> fixed_connections(const Fibres& fibres, int fibre)
 {
   std::vector<int> result;
   for (int c : fibres.fibre(fibre).connections)
-    if (fibres.is_border(c))
+    if (fibres.is_fixed(c))
       result.push_back(c);
   return result;
 }
 
-// Finds places where the border is pinched, because one fibre has several pieces of it, and borders
-// that vanish.
-inline void find_border_defects(const Fibres& fibres, Quotient_report& report)
+// Finds places where fixed curves fall together, because one fibre has several pieces of them, and closed
+// ones that vanish.
+inline void find_defects_of_fixed_curves(const Fibres& fibres, Quotient_report& report)
 {
   for (int f = 0; f < fibres.size(); ++f) {
-    const std::vector<std::vector<int>> pieces = border_pieces(fibres, f);
-    const std::vector<int> connections = border_connections(fibres, f);
+    const std::vector<std::vector<int>> pieces = fixed_pieces(fibres, f);
+    const std::vector<int> connections = fixed_connections(fibres, f);
     const std::string node = std::to_string(fibres.fibre(f).points.front());
     std::size_t points = 0;
     for (const auto& piece : pieces)
       points += piece.size();
     if (points < pieces.size() + connections.size())
-      add_defect(report, "the whole border at node " + node + " has length 0",
+      add_defect(report, "a closed fixed curve at node " + node + " has length 0",
                  {arcs_of(fibres, connections), false});
     else if (pieces.size() > 1)
-      add_defect(report, "pieces of the border fall together at node " + node,
+      add_defect(report, "fixed curves fall together at node " + node,
                  {arcs_of(fibres, Fibre_loops(fibres, f).path(pieces.front(), pieces.back())),
                   false});
   }
 }
 
-// says if flat patches lead from half-segment s, on the outside of the border, to the border
-inline bool is_chain_between_borders(const Arc_grid& grid, int s)
+// The number of segments of fixed curves that flat patches join to that of half-segment s, behind
+// which there is none, s itself included.
+inline int number_of_joined_fixed_segments(const Arc_grid& grid, int s)
 {
-  return grid.patch(s) < 0 && grid.across(s ^ 1) >= 0 && grid.patch(grid.facing(s)) < 0;
+  int result = grid.t_mesh().is_fixed(grid.arc(s));
+  for (int t = s ^ 1; grid.across(t) >= 0; t = grid.across(t) ^ 1)
+    result += grid.t_mesh().is_fixed(grid.arc(grid.across(t)));
+  return result;
 }
 
 // Finds rings of patches of zero width, each glued to the next along its long sides, and chains of
-// them from border to border.
+// them from one fixed curve to another.
 inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
 {
   const Arc_grid& grid = fibres.grid();
@@ -250,9 +254,9 @@ inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
   for (int s = 0; s < grid.number_of_half_segments(); ++s)
     if (grid.across(s) < 0) {
       std::vector<int> patches;
-      walk(s ^ 1, patches);                  // chains that end in a square are sound
-      if (!patches.empty() && is_chain_between_borders(grid, s))
-        add("strip between borders", patches);
+      walk(s ^ 1, patches);
+      if (!patches.empty() && number_of_joined_fixed_segments(grid, s) > 1)
+        add("strip between fixed curves", patches);
     }
   for (int s = 0; s < grid.number_of_half_segments(); ++s) {
     std::vector<int> patches;
@@ -271,7 +275,7 @@ inline Quotient_report examine_quotient(const T_mesh& t_mesh, const std::vector<
   Quotient_report report;
   report.clusters = merged_clusters(fibres);
   find_unfilled_loops(fibres, report);
-  find_border_defects(fibres, report);
+  find_defects_of_fixed_curves(fibres, report);
   find_flat_rings(fibres, report);
   report.cuts = sorted_unique(std::move(report.cuts));
   if (report.cuts.empty())

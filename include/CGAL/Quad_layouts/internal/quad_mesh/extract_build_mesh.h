@@ -44,25 +44,26 @@ inline std::vector<char> layout_nodes(const Quad_layout& layout)
   for (int n : separatrices)
     result.push_back(n != 0 && n != 2);
   for (int v = 0; v < layout.number_of_vertices(); ++v)
-    if (!layout.is_regular(v))
+    if (!layout.goes_straight_on(v))
       result[v] = 1;
   return result;
 }
 
-// Marks the edges of the mesh that lie on separatrices.
-template <class QuadMesh, class VertexDescriptor, class EdgeMap>
-void mark_layout_edges(const Divided_layout& divided, const std::vector<VertexDescriptor>& vertices,
-                       const QuadMesh& mesh, EdgeMap is_layout_edge)
+// Marks the edges of the mesh that are parts of the layout edges which `is_marked` tells.
+template <class QuadMesh, class VertexDescriptor, class EdgeMap, class Predicate>
+void mark_edges(const Divided_layout& divided, const std::vector<VertexDescriptor>& vertices,
+                const QuadMesh& mesh, EdgeMap map, const Predicate& is_marked)
 {
-  for (const auto e : edges(mesh))
-    put(is_layout_edge, e, false);
-  const Quad_layout& layout = divided.layout();
-  for (int e = 0; e < layout.number_of_edges(); ++e)
-    for (int k = 0; layout.is_on_separatrix(e) && k < divided.parts(2 * e); ++k) {
-      const VertexDescriptor source = vertices[divided.vertex_on(2 * e, k)];
-      const VertexDescriptor target = vertices[divided.vertex_on(2 * e, k + 1)];
-      put(is_layout_edge, edge(source, target, mesh).first, true);
-    }
+  if constexpr (!std::is_same_v<EdgeMap, No_map>) {
+    for (const auto e : edges(mesh))
+      put(map, e, false);
+    for (int e = 0; e < divided.layout().number_of_edges(); ++e)
+      for (int k = 0; is_marked(e) && k < divided.parts(2 * e); ++k) {
+        const VertexDescriptor source = vertices[divided.vertex_on(2 * e, k)];
+        const VertexDescriptor target = vertices[divided.vertex_on(2 * e, k + 1)];
+        put(map, edge(source, target, mesh).first, true);
+      }
+  }
 }
 
 // Adds the quads of a divided layout to a mesh, and fills the user's property maps.
@@ -81,6 +82,8 @@ void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d
     choose_parameter(get_parameter(np, internal_np::vertex_is_layout_node_map), No_map());
   const auto edge_map =
     choose_parameter(get_parameter(np, internal_np::edge_is_layout_edge_map), No_map());
+  const auto fixed_map =
+    choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_map());
 
   const Quad_layout& layout = divided.layout();
   const std::vector<char> is_node = layout_nodes(layout);
@@ -97,8 +100,8 @@ void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d
     CGAL_assertion(face != boost::graph_traits<QuadMesh>::null_face());
     put(patch_map, face, layout.patch(f));
   });
-  if constexpr (!std::is_same_v<std::decay_t<decltype(edge_map)>, No_map>)
-    mark_layout_edges(divided, vertices, mesh, edge_map);
+  mark_edges(divided, vertices, mesh, edge_map, [&](int e) { return layout.is_on_separatrix(e); });
+  mark_edges(divided, vertices, mesh, fixed_map, [&](int e) { return layout.is_fixed(e); });
 }
 
 } // namespace internal

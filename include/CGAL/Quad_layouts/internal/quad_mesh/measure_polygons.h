@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_MEASURE_POLYGONS_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_MEASURE_POLYGONS_H
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -32,6 +33,7 @@ struct Polygons
   std::vector<Point> points;
   std::vector<int> first_halfedge;         // one more than there are faces
   std::vector<int> source, face, opposite; // per halfedge
+  std::vector<char> on_feature;            // per halfedge, empty if there are no features
 
   int number_of_vertices() const { return int(points.size()); }
   int number_of_halfedges() const { return int(source.size()); }
@@ -48,11 +50,27 @@ struct Polygons
   }
   int target(int h) const { return source[next(h)]; }
   bool is_border(int h) const { return opposite[h] < 0; }
+  // says if the edge of h is on the border or on a feature curve
+  bool is_fixed(int h) const { return is_border(h) || (!on_feature.empty() && on_feature[h]); }
 
   // the corner k (mod 4) of the quad f
   int corner(int f, int k) const { return source[first_halfedge[f] + (k & 3)]; }
   const Point& corner_point(int f, int k) const { return points[corner(f, k)]; }
 };
+
+// tells which edges are features, if there is a map
+template <class PolygonMesh, class EdgeMap>
+void mark_features(const PolygonMesh& mesh, const EdgeMap& is_feature, Polygons& polygons)
+{
+  for (const auto f : faces(mesh))
+    for (const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      polygons.on_feature.push_back(get(is_feature, edge(h, mesh)));
+}
+
+template <class PolygonMesh>
+void mark_features(const PolygonMesh&, const internal_np::Param_not_found&, Polygons&)
+{
+}
 
 // copies a mesh into arrays
 template <class PolygonMesh, class VertexPointMap>

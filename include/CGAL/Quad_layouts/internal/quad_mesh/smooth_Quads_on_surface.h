@@ -15,39 +15,38 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cstddef>
 #include <iterator>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A quad mesh whose vertices have places on a surface; those on its border, places on that of the
-// surface.
+// A quad mesh whose vertices have places on a surface; those on its border and feature curves, places
+// on those of the surface.
 class Quads_on_surface
 {
 public:
   using Vector = Eigen::Vector3d;
   using Place = Surface_walk::Place;
 
-  // Takes a mesh of quads and puts its vertices on the surface, except irregular ones on its border.
+  // Takes a mesh of quads and puts its vertices on the surface, except those on fixed curves where
+  // these do not go straight on.
   Quads_on_surface(Polygons& mesh, const Surface_walk& walk)
     : m_mesh(mesh), m_walk(walk), m_corners(mesh.number_of_vertices()),
       m_normals(mesh.number_of_vertices()),
-      m_border(mesh.number_of_vertices(), std::make_pair(-1, -1))
+      m_on_curve(mesh.number_of_vertices())
   {
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
       m_corners[mesh.source[h]].push_back(h);
-      if (mesh.is_border(h)) {
-        m_border[mesh.source[h]].second = mesh.target(h);
-        m_border[mesh.target(h)].first = mesh.source[h];
-      }
+      if (mesh.is_border(h))
+        m_on_curve[mesh.target(h)].push_back(mesh.source[h]);
+      if (mesh.is_fixed(h))
+        m_on_curve[mesh.source[h]].push_back(mesh.target(h));
     }
     place_vertices();
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
-      if (!m_corners[v].empty() && (!is_on_border(v) || m_places[v].fixed_halfedge >= 0)) {
+      if (!m_corners[v].empty() && (!is_on_curve(v) || m_places[v].fixed_halfedge >= 0)) {
         m_movable.push_back(v);
         m_mesh.points[v] = m_places[v].point;
       }
@@ -55,13 +54,16 @@ public:
 
   const Polygons& mesh() const { return m_mesh; }
   const Surface_walk& walk() const { return m_walk; }
-  bool is_on_border(int v) const { return m_border[v].first >= 0; }
-  // the points before and behind v on the border
-  std::pair<Vector, Vector> border_neighbours(int v) const
+  bool is_on_curve(int v) const { return !m_on_curve[v].empty(); }
+  // the mean of the neighbours of v on its curve
+  Vector middle_on_curve(int v) const
   {
-    return {m_mesh.points[m_border[v].first], m_mesh.points[m_border[v].second]};
+    Vector sum = Vector::Zero();
+    for (const int u : m_on_curve[v])
+      sum += m_mesh.points[u];
+    return sum / double(m_on_curve[v].size());
   }
-  // the vertices that are not irregular ones on the border, ascending
+  // the vertices that may move, ascending
   const std::vector<int>& movable() const { return m_movable; }
   // the halfedges from a vertex
   const std::vector<int>& corners(int v) const { return m_corners[v]; }
@@ -100,8 +102,9 @@ public:
     star.clear();
     for (const int h : m_corners[v])
       star.add(quad_from(h));
-    if (is_on_border(v))
-      star.add_edge(m_mesh.points[m_border[v].first], m_normals[m_border[v].first]);
+    for (const int h : m_corners[v])
+      if (const int last = m_mesh.prev(h); m_mesh.is_border(last))
+        star.add_edge(m_mesh.points[m_mesh.source[last]], m_normals[m_mesh.source[last]]);
     star.weigh_edges();
   }
 
@@ -139,11 +142,25 @@ private:
       for (const int h : m_corners[v])
         normal += area_vector(quad(m_mesh.face[h]));
       m_places.push_back(m_walk.locate(m_mesh.points[v], normal, 0.25 * edge_length(v)));
-      constexpr std::size_t of_regular_vertex = 2;
-      if (is_on_border(v) && m_corners[v].size() == of_regular_vertex)
+      if (is_on_curve(v) && goes_straight_on(v))
         m_places[v] = m_walk.nearest_on_fixed_edges(m_places[v]);
       m_normals[v] = m_walk.normal(m_places[v]);
     }
+  }
+
+  // whether v is regular, and the only curve there goes straight on
+  bool goes_straight_on(int v) const
+  {
+    const std::vector<int>& curve = m_on_curve[v];
+    const auto on_curve = [&](int u) {
+      return std::find(curve.begin(), curve.end(), u) != curve.end();
+    };
+    bool on_border = false, has_corner = false;
+    for (const int h : m_corners[v]) {
+      on_border |= m_mesh.is_border(h);
+      has_corner |= on_curve(m_mesh.target(h)) && on_curve(m_mesh.source[m_mesh.prev(h)]);
+    }
+    return curve.size() == 2 && m_corners[v].size() == (on_border ? 2 : 4) && !has_corner;
   }
 
   Quad_on_surface quad_from(int h) const
@@ -162,7 +179,7 @@ private:
   std::vector<int> m_movable;
   std::vector<Place> m_places;
   std::vector<Vector> m_normals;
-  std::vector<std::pair<int, int>> m_border; // per vertex those before and behind it on the border
+  std::vector<std::vector<int>> m_on_curve; // per vertex its neighbours on fixed curves
 };
 
 } // namespace internal

@@ -62,13 +62,10 @@ public:
   }
 
 private:
-  // the weighted mean of the neighbours, on the border that of those on the border
+  // the weighted mean of the neighbours, on a curve the mean of those on the curve
   Vector centre_of_neighbours(int v) const
   {
-    if (!m_quads.is_on_border(v))
-      return m_star.barycentre();
-    const auto [before, behind] = m_quads.border_neighbours(v);
-    return (before + behind) / 2;
+    return m_quads.is_on_curve(v) ? m_quads.middle_on_curve(v) : m_star.barycentre();
   }
 
   // moves v by `step`, or less, to where its quads and `accepts` say yes

@@ -129,7 +129,18 @@ inline bool leads_to_singularity(const T_mesh& t_mesh, const Run& run)
   if (run.arcs.empty())
     return false;
   const int a = run.arcs.back();
-  return t_mesh.is_border_edge(a) || t_mesh.is_singularity_or_seed(t_mesh.target(2 * a));
+  return t_mesh.is_fixed(a) || t_mesh.is_singularity_or_seed(t_mesh.target(2 * a));
+}
+
+// Says if both ends of a fixed run have to be kept: where fixed curves inside of the surface have
+// corners, end or meet. Corners of the border may merge.
+inline bool is_kept(const T_mesh& t_mesh, const Run& run)
+{
+  const int a = run.arcs.back();
+  const auto is_on_border_only = [&](int n) { return t_mesh.number_of_fixed_arcs(n) == 2; };
+  return t_mesh.is_fixed(a) &&
+         !(t_mesh.is_border_edge(a) && is_on_border_only(t_mesh.source(2 * a)) &&
+           is_on_border_only(t_mesh.target(2 * a)) && is_on_border_only(run.start));
 }
 
 // says if visit k of a meeting is that of the longer run. In the interior it is the one that was it
@@ -140,11 +151,11 @@ inline bool is_longer(const Run_meeting& meeting, int k, const Runs& runs)
   const auto key = [&](const Run_visit& v) {
     return std::make_tuple(runs.length(v), v.run, v.arcs);
   };
-  return meeting.on_border ? key(meeting.visits[k]) > key(meeting.visits[1 - k]) : k == 1;
+  return meeting.on_fixed_curve ? key(meeting.visits[k]) > key(meeting.visits[1 - k]) : k == 1;
 }
 
-// returns per run the prefixes that rows (2) and (6) ask to be positive. Nothing is to fall onto the
-// border, where it would turn a border that is smooth there into a corner.
+// returns per run the prefixes that rows (2) and (6) ask to be positive. Nothing is to fall onto a
+// fixed curve, where it would turn a smooth curve into a corner.
 inline std::vector<Quantization_program::Prefixes> prefixes(const T_mesh& t_mesh, const Runs& runs,
                                                             const Quantization_demands& demands)
 {
@@ -152,14 +163,15 @@ inline std::vector<Quantization_program::Prefixes> prefixes(const T_mesh& t_mesh
   for (const Run_meeting& meeting : runs.meetings())
     for (int k : {0, 1}) {
       const Run_visit& visit = meeting.visits[k];
-      if ((meeting.on_border && k == 1) ||
+      if ((meeting.on_fixed_curve && k == 1) ||
           must_be_positive(runs.length(visit), runs.length(meeting.visits[1 - k]),
                            is_longer(meeting, k, runs), demands))
         result[visit.run].push_back(visit.arcs);
     }
   // a run that leads to a singularity meets it at distance 0 on the other leg
   for (int r = 0; r < runs.size(); ++r)
-    if (leads_to_singularity(t_mesh, runs[r]) && runs[r].lengths.back() > demands.reach)
+    if (leads_to_singularity(t_mesh, runs[r]) &&
+        (runs[r].lengths.back() > demands.reach || is_kept(t_mesh, runs[r])))
       result[r].push_back(int(runs[r].arcs.size()));
   for (auto& p : result)
     std::sort(p.begin(), p.end());

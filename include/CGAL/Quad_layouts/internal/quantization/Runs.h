@@ -35,11 +35,11 @@ struct Run_visit
 struct Run_meeting
 {
   Run_visit visits[2];
-  bool on_border; // the first run is part of the border, the second one ends there
+  bool on_fixed_curve; // that of the first run
 };
 
-// The runs of a T-mesh: its traces, with their numbers; then those on the border once more, the
-// other way, because they lead from one singularity or seed to the next.
+// The runs of a T-mesh: its traces, with their numbers; then those on fixed curves once more, the other
+// way, because they lead from one singularity or seed to the next.
 class Runs
 {
 public:
@@ -49,7 +49,7 @@ public:
       add(t_mesh, t.start, t.arcs);
     for (std::size_t t = 0; t < t_mesh.traces.size(); ++t) {
       const std::vector<int>& arcs = t_mesh.traces[t].arcs;
-      if (arcs.empty() || !t_mesh.is_border_edge(arcs.front()))
+      if (arcs.empty() || !t_mesh.is_fixed(arcs.front()))
         continue;
       m_reverse[t] = int(m_runs.size());
       add(t_mesh, t_mesh.target(2 * arcs.back()), {arcs.rbegin(), arcs.rend()});

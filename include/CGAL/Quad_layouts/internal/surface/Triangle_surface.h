@@ -95,6 +95,14 @@ public:
 
   // of a halfedge: whether its edge is fixed
   bool is_fixed(int h) const { return m_is_fixed[m_edge[h]] != 0; }
+  // of a vertex
+  int number_of_fixed_edges(int v) const
+  {
+    int result = is_on_border(v);
+    for_each_outgoing(v, [&](int h) { result += is_fixed(h); });
+    return result;
+  }
+
   void fix(int h) { m_is_fixed[m_edge[h]] = 1; }
   // of a face: its fixed halfedge, -1 if it has none, one of them if it has several
   int fixed_halfedge(int f) const

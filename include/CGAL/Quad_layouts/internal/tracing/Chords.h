@@ -93,6 +93,9 @@ public:
   }
 
   bool ends_on_border(int c) const { return m_surface->is_border(m_chords[c].to.halfedge); }
+  bool ends_on_fixed_edge(int c) const { return m_surface->is_fixed(m_chords[c].to.halfedge); }
+  // the fraction of the halfedge on which chord c ends before its end
+  double parameter_of_end(int c) const { return parameter(m_chords[c].to); }
 
   // the side of crossing x (0 or 1) that belongs to chord c
   int side(int x, int c) const { return m_crossings[x].chord[0] == c ? 0 : 1; }
@@ -112,6 +115,7 @@ public:
     return counter_clockwise(from, place_of_right_end(x, c), place_of_right_end(y, c));
   }
 
+  Point point_of_start(int c) const { return point(m_chords[c].from); }
   Point point_of_end(int c) const { return point(m_chords[c].to); }
   Point point(const Crossing& x) const
   {

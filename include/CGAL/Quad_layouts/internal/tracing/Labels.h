@@ -98,6 +98,29 @@ public:
   // 1 if a side is fixed.
   int index(int v) const { return (m_surface->is_on_border(v) ? 3 : 4) - valence(v); }
 
+  // Says if fixed edges, if there are any at v, go straight on there: there are two, each line between
+  // them has one neighbour on both sides, and no other line starts at v.
+  bool goes_straight_on(int v) const
+  {
+    const int fixed = m_surface->number_of_fixed_edges(v);
+    if (fixed == 0)
+      return true;
+    int sectors_of_two = 0, starts = 0, first = m_surface->halfedge(v);
+    while (!m_surface->is_fixed(first))
+      first = m_surface->turn_left(first);
+    for (int h = first; h >= 0;) {
+      starts += number_of_starts(h);
+      h = m_surface->turn_left(h);
+      if (h < 0 || m_surface->is_fixed(h)) {
+        sectors_of_two += starts == 1;
+        starts = 0;
+      }
+      if (h == first)
+        break;
+    }
+    return fixed == 2 && sectors_of_two == (m_surface->is_on_border(v) ? 1 : 2);
+  }
+
   // The one side of f through which the lines of `direction` all enter or all leave; both others do
   // the opposite. A side along which they run counts as one through which they enter.
   int base(int f, int direction) const

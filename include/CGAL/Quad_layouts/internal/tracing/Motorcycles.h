@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/tracing/Chords.h>
+#include <CGAL/Quad_layouts/internal/tracing/Fixed_lines.h>
 
 #include <cmath>
 #include <queue>
@@ -35,7 +36,8 @@ inline bool is_longer(double a, int i, double b, int j)
 // separatrix, from the start of i to the start of j, is acceptable by the rule of Section 4.3,
 //   (l_ji - 2r) / (l_ij + 2r) <= tan alpha with l_ij > l_ji,
 // because singularities further out on that side lie behind the trace j. The later trace stops on
-// the earlier one. All stop on the border.
+// the earlier one. All stop on the border. Other fixed lines are like traces that start at both their
+// ends: motorcycles can stop on them, too.
 class Motorcycles
 {
 public:
@@ -53,7 +55,7 @@ public:
     int corner;                    // the halfedge from the vertex into whose face it starts
     std::vector<int> chords;
     int last_chord = -1;           // where it stops: in crossing `last_crossing` on this chord
-    int last_crossing = -1;        // still -1 if it runs to the border
+    int last_crossing = -1;        // still -1 if it stops on a fixed edge
     int farthest_crossing = -1;    // the last node on it so far, on chord `farthest_chord`
     int farthest_chord = -1;
     bool met_on_left = false, met_on_right = false;
@@ -63,7 +65,8 @@ public:
   // graph that is not extended; of those beyond its end, none is
   Motorcycles(Chords& chords, const Rule& rule, const std::vector<int>& vertices,
               const std::vector<char>& is_hasty)
-    : m_chords(&chords), m_rule(rule), m_starts(vertices), m_is_hasty(is_hasty)
+    : m_chords(&chords), m_rule(rule), m_starts(vertices), m_is_hasty(is_hasty),
+      m_fixed_lines(chords.labels().surface(), vertices)
   {
     for (int v : vertices)
       chords.labels().surface().for_each_outgoing(v, [&](int h) { start(v, h); });
@@ -131,13 +134,37 @@ private:
   bool go_on(int trace)
   {
     const Trace& t = m_traces[trace];
-    if (t.last_crossing >= 0 || m_chords->ends_on_border(t.chords.back()))
+    if (t.last_crossing >= 0 || stops_on_fixed_edge(trace))
       return true;
     if (t.chords.size() > std::size_t(m_rule.maximum_steps) * 10)
       return false;
     const int known = m_chords->number_of_crossings();
     append(trace, m_chords->go_on(t.chords.back()), known);
     return true;
+  }
+
+  bool stops_on_fixed_edge(int trace)
+  {
+    Trace& t = m_traces[trace];
+    const int c = t.chords.back();
+    if (!m_chords->ends_on_fixed_edge(c))
+      return false;
+    if (!m_chords->ends_on_border(c))
+      note_ends_of_fixed_line(t, c);
+    return m_chords->ends_on_border(c) || may_stop(trace);
+  }
+
+  // notes on which sides the end of the fixed line to which chord c leads is an acceptable candidate
+  void note_ends_of_fixed_line(Trace& t, int c)
+  {
+    const Triangle_surface& surface = m_chords->labels().surface();
+    const int h = m_chords->chord(c).to.halfedge; // it leads to the left
+    const double r = m_rule.displacement, own = m_chords->chord(c).end,
+                 passed = m_chords->parameter_of_end(c) * surface.length(h),
+                 left = m_fixed_lines.length_ahead(h) - passed,
+                 right = m_fixed_lines.length_ahead(surface.opposite(h)) - surface.length(h) + passed;
+    t.met_on_left |= left - 2 * r <= m_rule.tangent * (own + 2 * r);
+    t.met_on_right |= right - 2 * r <= m_rule.tangent * (own + 2 * r);
   }
 
   // appends a chord to a trace, and the events on it; crossings from number `known` on are the
@@ -212,11 +239,16 @@ private:
     Trace& t = trace_of(c);
     if (t.farthest_crossing != x || t.farthest_chord != c)
       return;
-    if ((t.met_on_left && t.met_on_right) || is_hasty(m_chords->chord(c).trace) ||
-        is_out_of_patience(t)) {
+    if (may_stop(m_chords->chord(c).trace)) {
       t.last_crossing = x;
       t.last_chord = c;
     }
+  }
+
+  bool may_stop(int trace) const
+  {
+    const Trace& t = m_traces[trace];
+    return (t.met_on_left && t.met_on_right) || is_hasty(trace) || is_out_of_patience(t);
   }
 
   bool is_hasty(int trace) const
@@ -237,6 +269,7 @@ private:
   Rule m_rule;
   std::vector<int> m_starts;
   const std::vector<char>& m_is_hasty;
+  Fixed_lines m_fixed_lines;
   std::vector<Trace> m_traces;
   std::priority_queue<Event> m_queue;
   int m_number = 0;

@@ -23,8 +23,8 @@ namespace internal {
 //
 // A strip of lines that cross a T-mesh must run back into itself, and be as wide as it was. Where
 // traces wind around a limit cycle of the field, strips get narrower with every turn: what is cut
-// off has length 0 in every consistent quantization. If a chain of such arcs joins singularities,
-// some traces have gone on for too long. In a motorcycle graph that is not extended, few traces get
+// off has length 0 in every consistent quantization. If a chain of such arcs joins singularities, or
+// fixed curves, some traces have gone on for too long. In a motorcycle graph that is not extended, few traces get
 // around a limit cycle.
 class Squeezed_singularities
 {
@@ -55,24 +55,42 @@ private:
   void find_chains()
   {
     const int n = m_t_mesh.number_of_vertices();
-    Disjoint_sets groups(n);
+    Disjoint_sets groups(n), pieces(n);
     for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
-      if (is_squeezed(a))
+      if (is_squeezed(a)) {
         groups.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
-    constexpr int NONE = -1, DONE = -2;
-    std::vector<int> first(n, NONE); // per group, a singularity
+        if (m_t_mesh.is_fixed(a))
+          pieces.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
+      }
     for (int v = 0; v < n; ++v) {
-      if (m_t_mesh.index(v) == 0)
+      m_piece.push_back(int(pieces.find_set(v)));
+      m_is_on_fixed_curve.push_back(m_t_mesh.is_on_fixed_curve(v));
+    }
+    constexpr int NONE = -1, DONE = -2;
+    std::vector<int> first(n, NONE); // per group, a node that should be apart from others
+    for (int v = 0; v < n; ++v) {
+      if (m_t_mesh.index(v) == 0 && !m_is_on_fixed_curve[v])
         continue;
       int& u = first[groups.find_set(v)];
       if (u == NONE)
         u = v;
-      else if (u != DONE)
+      else if (u != DONE && should_be_apart(u, v))
         m_chains.push_back(chain_from(std::exchange(u, DONE)));
     }
   }
 
-  // a shortest one to another singularity
+  // whether two nodes are singularities, or ends of fixed lines, or at different places of fixed lines
+  bool should_be_apart(int u, int v) const
+  {
+    const auto is_end = [&](int n) {
+      return m_t_mesh.index(n) != 0 ||
+             (m_t_mesh.is_singularity_or_seed(n) && m_is_on_fixed_curve[n]);
+    };
+    const auto is_marked = [&](int n) { return m_t_mesh.index(n) != 0 || m_is_on_fixed_curve[n]; };
+    return (is_end(u) && is_end(v)) || (is_marked(u) && is_marked(v) && m_piece[u] != m_piece[v]);
+  }
+
+  // a shortest one to a node that should be apart
   std::vector<int> chain_from(int start) const
   {
     std::vector<int> reached_by(m_t_mesh.number_of_vertices(), -1), queue{start}, result;
@@ -86,7 +104,7 @@ private:
         }
         h = m_t_mesh.turn_right(h);
       } while (h != m_t_mesh.halfedge_from(queue[i]));
-      if (queue[i] != start && m_t_mesh.index(queue[i]) != 0)
+      if (queue[i] != start && should_be_apart(start, queue[i]))
         for (int v = queue[i]; v != start; v = m_t_mesh.source(reached_by[v]))
           result.push_back(T_mesh::edge(reached_by[v]));
     }
@@ -153,6 +171,8 @@ private:
 
   const T_mesh& m_t_mesh;
   const Dual_graph m_graph;
+  std::vector<int> m_piece;              // per node, of the fixed curves as far as they are squeezed
+  std::vector<char> m_is_on_fixed_curve; // per node
   std::vector<std::vector<int>> m_chains;
 };
 

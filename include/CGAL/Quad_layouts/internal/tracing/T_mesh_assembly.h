@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/internal/tracing/Motorcycles.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -19,7 +20,7 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes the T-mesh of the traces of motorcycles that have all stopped, and of the border.
+// Makes the T-mesh of the traces of motorcycles that have all stopped, and of the fixed curves.
 class T_mesh_assembly
 {
 public:
@@ -39,11 +40,11 @@ public:
   {
     make_start_nodes();
     make_crossing_nodes();
-    make_border_nodes();
+    make_nodes_on_fixed_edges();
     m_result.corner_arcs.resize(surface().number_of_halfedges());
     for (int t = 0; t < int(m_motorcycles.traces().size()); ++t)
       make_arcs(t);
-    make_border_traces();
+    make_fixed_traces();
     connect();
     number_patches();
     collect_edge_crossings();
@@ -68,7 +69,7 @@ private:
     }
     for (const auto& t : m_motorcycles.traces())
       m_result.traces.push_back({m_node_of_vertex[t.vertex], {}});
-    m_leaving.resize(m_result.number_of_vertices());
+    m_first_inner_node = m_result.number_of_vertices();
   }
 
   // The visit of the longer trace comes second.
@@ -77,22 +78,32 @@ private:
     for (int x = 0; x < m_chords.number_of_crossings(); ++x)
       if (m_chords.crossing(x).confirmed) {
         m_node_of_crossing[x] = m_result.number_of_vertices();
-        make_node(m_chords.point(m_chords.crossing(x)), -1, 0);
-        m_result.node_visits.back().assign(2, {-1, -1});
-        m_around.push_back({-1, -1, -1, -1});
+        make_inner_node(m_chords.point(m_chords.crossing(x)));
       }
-    m_first_crossing_node = m_result.number_of_vertices() - int(m_around.size());
   }
 
-  // where traces end on the border
-  void make_border_nodes()
+  // where traces cross fixed edges, or end there
+  void make_nodes_on_fixed_edges()
   {
-    for (const auto& t : m_motorcycles.traces())
+    for (const auto& t : m_motorcycles.traces()) {
+      for (std::size_t i = 1; i < t.chords.size() && t.chords[i - 1] != t.last_chord; ++i)
+        if (const Chords::End& from = m_chords.chord(t.chords[i]).from;
+            surface().is_fixed(from.halfedge)) {
+          m_node_of_point[from.point] = m_result.number_of_vertices();
+          make_inner_node(m_chords.point_of_start(t.chords[i]));
+        }
       if (t.last_crossing < 0) {
         m_node_of_point[m_chords.chord(t.chords.back()).to.point] = m_result.number_of_vertices();
-        make_node(m_chords.point_of_end(t.chords.back()), -1, 0);
-        m_result.node_visits.back().assign(2, {-1, -1});
+        make_inner_node(m_chords.point_of_end(t.chords.back()));
       }
+    }
+  }
+
+  void make_inner_node(const Point& point)
+  {
+    make_node(point, -1, 0);
+    m_result.node_visits.back().assign(2, {-1, -1});
+    m_around.push_back({-1, -1, -1, -1});
   }
 
   void make_node(const Point& point, int surface_vertex, int index)
@@ -109,12 +120,14 @@ private:
   {
     const auto& trace = m_motorcycles.traces()[t];
     m_result.corner_arcs[trace.corner].push_back(m_result.number_of_halfedges());
-    m_leaving[m_result.traces[t].start].push_back({m_result.number_of_halfedges(), 1});
     begin_arc(t, m_result.traces[t].start);
     double length = 0;
     for (int c : trace.chords) {
       const auto& chord = m_chords.chord(c);
-      if (chord.from.point >= 0) {
+      if (chord.from.point >= 0 && m_node_of_point[chord.from.point] >= 0) {
+        cross_fixed_edge(t, chord.from, chord.begin - length);
+        length = chord.begin;
+      } else if (chord.from.point >= 0) {
         m_halfedge_of_point[chord.from.point] = halfedge_towards_source(chord.from);
         m_result.arc_crossings.back().push_back({chord.from.halfedge, chord.from.point});
       }
@@ -126,13 +139,29 @@ private:
         if (c == trace.last_chord && x == trace.last_crossing)
           return;
         begin_arc(t, m_node_of_crossing[x]);
-        around(x)[quarter_turns(x, c)] = m_result.number_of_halfedges() - 2;
+        around(m_node_of_crossing[x])[quarter_turns(x, c)] = m_result.number_of_halfedges() - 2;
         length = here;
       }
     }
     const auto& last = m_chords.chord(trace.chords.back());
-    CGAL_assertion_msg(m_node_of_point[last.to.point] >= 0, "a trace has not stopped");
-    end_arc(t, m_node_of_point[last.to.point], 1, last.end - length);
+    const int node = m_node_of_point[last.to.point];
+    CGAL_assertion_msg(node >= 0, "a trace has not stopped");
+    end_arc(t, node, 1, last.end - length);
+    const int h = last.to.halfedge;
+    around(node)[surface().halfedge_of_edge(surface().edge(h)) == h ? 1 : 3] =
+      m_result.number_of_halfedges() - 1;
+  }
+
+  // goes on in a new arc behind a fixed edge
+  void cross_fixed_edge(int t, const Chords::End& entry, double length)
+  {
+    const int node = m_node_of_point[entry.point];
+    const int ahead = surface().halfedge_of_edge(surface().edge(entry.halfedge)) == entry.halfedge
+                          ? 1 : 3;
+    end_arc(t, node, 1, length);
+    around(node)[4 - ahead] = m_result.number_of_halfedges() - 1;
+    begin_arc(t, node);
+    around(node)[ahead] = m_result.number_of_halfedges() - 2;
   }
 
   // the halfedge of the current arc whose left side is that of the source of the crossed edge,
@@ -149,6 +178,7 @@ private:
     m_result.traces[t].arcs.push_back(m_result.number_of_edges());
     m_result.arc_trace.push_back(t);
     m_result.arc_crossings.emplace_back();
+    m_result.arc_pieces.emplace_back();
     m_result.halfedge_target.insert(m_result.halfedge_target.end(), {-1, node});
   }
 
@@ -156,7 +186,8 @@ private:
   {
     const bool is_later = m_motorcycles.later_side(x) == m_chords.side(x, c);
     end_arc(t, m_node_of_crossing[x], is_later ? 1 : 0, length);
-    around(x)[(quarter_turns(x, c) + 2) & 3] = m_result.number_of_halfedges() - 1;
+    around(m_node_of_crossing[x])[(quarter_turns(x, c) + 2) & 3] =
+      m_result.number_of_halfedges() - 1;
   }
 
   // `visit`: which one of the node it is
@@ -168,46 +199,92 @@ private:
       m_result.node_visits[node][visit] = {t, int(m_result.traces[t].arcs.size())};
   }
 
-  // From the starts on each border a trace runs along it to the next one.
-  void make_border_traces()
+  // Traces run along fixed edges from start to start; those on the border have the surface on their
+  // left.
+  void make_fixed_traces()
   {
-    m_first_border_arc = m_result.number_of_edges();
     m_result.edge_arcs.resize(surface().number_of_edges());
     for (int v : m_motorcycles.starts())
-      if (surface().is_on_border(v)) {
-        m_result.traces.push_back({m_node_of_vertex[v], {}});
-        make_border_arcs(int(m_result.traces.size()) - 1, surface().halfedge(v));
-      }
+      surface().for_each_outgoing(v, [&](int h) {
+        if (surface().is_fixed(h) && m_result.edge_arcs[surface().edge(h)].empty()) {
+          m_result.traces.push_back({m_node_of_vertex[v], {}});
+          make_fixed_arcs(int(m_result.traces.size()) - 1, h);
+        }
+      });
   }
 
-  void make_border_arcs(int t, int h)
+  void make_fixed_arcs(int t, int h)
   {
     begin_arc(t, m_result.traces[t].start);
     double length = 0;
-    for (;; h = surface().halfedge(surface().target(h))) {
-      const int e = surface().edge(h);
-      double passed = 0; // of the edge
-      for (int p : m_chords.order().points(e))
-        if (const int node = m_node_of_point[p]; node >= 0) {
-          length += (m_chords.order().t(p) - passed) * surface().length(h);
-          passed = m_chords.order().t(p);
-          m_result.edge_arcs[e].push_back(m_result.number_of_halfedges() - 2);
-          end_arc(t, node, 0, std::exchange(length, 0));
-          begin_arc(t, node);
-        }
-      length += (1 - passed) * surface().length(h);
-      m_result.edge_arcs[e].push_back(m_result.number_of_halfedges() - 2);
+    for (;; h = next_fixed(h)) {
+      run_along(t, h, length);
       if (const int node = m_node_of_vertex[surface().target(h)]; node >= 0)
         return end_arc(t, node, 0, length);
     }
   }
 
-  // the halfedges that leave the node of crossing x, by quarter-turns from the direction of its
-  // first chord
-  std::array<int, 4>& around(int x)
+  // the fixed halfedge that goes on straight behind h
+  int next_fixed(int h) const
   {
-    return m_around[m_node_of_crossing[x] - m_first_crossing_node];
+    int result = surface().halfedge(surface().target(h));
+    if (!surface().is_border(h))
+      surface().for_each_outgoing(surface().target(h), [&](int g) {
+        if (surface().is_fixed(g) && g != surface().opposite(h))
+          result = g;
+      });
+    return result;
   }
+
+  // takes trace t along h; `length` is that of its last arc so far
+  void run_along(int t, int h, double& length)
+  {
+    const int e = surface().edge(h);
+    const bool is_canonical = surface().halfedge_of_edge(e) == h;
+    std::vector<int> points = nodes_on(e), arcs;
+    if (!is_canonical)
+      std::reverse(points.begin(), points.end());
+    const int pieces = int(points.size()) + 1;
+    const auto add_piece = [&] {
+      const int i = int(arcs.size());
+      m_result.arc_pieces.back().push_back({h, is_canonical ? i : pieces - 1 - i});
+      arcs.push_back(m_result.number_of_halfedges() - 2);
+    };
+    double passed = 0; // of the edge
+    for (int p : points) {
+      const double here = is_canonical ? m_chords.order().t(p) : 1 - m_chords.order().t(p);
+      length += (here - passed) * surface().length(h);
+      passed = here;
+      add_piece();
+      const int node = m_node_of_point[p], ahead = is_canonical ? 0 : 2;
+      end_arc(t, node, 0, std::exchange(length, 0));
+      around(node)[2 - ahead] = m_result.number_of_halfedges() - 1;
+      begin_arc(t, node);
+      around(node)[ahead] = m_result.number_of_halfedges() - 2;
+    }
+    length += (1 - passed) * surface().length(h);
+    add_piece();
+    if (!is_canonical) {
+      std::reverse(arcs.begin(), arcs.end());
+      for (int& a : arcs)
+        a = Halfedge_complex::opposite(a);
+    }
+    m_result.edge_arcs[e] = std::move(arcs);
+  }
+
+  // the points on edge e that are nodes
+  std::vector<int> nodes_on(int e) const
+  {
+    std::vector<int> result;
+    for (int p : m_chords.order().points(e))
+      if (m_node_of_point[p] >= 0)
+        result.push_back(p);
+    return result;
+  }
+
+  // The halfedges that leave an inner node: of a crossing, by quarter-turns from the direction of its
+  // first chord; on a fixed edge, from the direction of its canonical halfedge.
+  std::array<int, 4>& around(int node) { return m_around[node - m_first_inner_node]; }
   int quarter_turns(int x, int c) const
   {
     const int first = m_chords.crossing(x).chord[0];
@@ -218,32 +295,36 @@ private:
   {
     m_result.halfedge_next.assign(m_result.number_of_halfedges(), -1);
     m_result.halfedge_is_corner.assign(m_result.number_of_halfedges(), 0);
-    m_leaving.resize(m_result.number_of_vertices());
+    for (int n = 0; n < m_first_inner_node; ++n)
+      connect_around(n, outgoing_from_vertex(m_result.surface_vertex(n)));
     for (int i = 0; i < int(m_around.size()); ++i)
-      m_leaving[m_first_crossing_node + i] = outgoing(m_around[i]);
-    for (int a = 0; a < m_first_border_arc; ++a)
-      if (const int n = m_result.halfedge_target[2 * a]; is_border_node(n))
-        m_leaving[n].push_back({2 * a + 1, 1});
-    add_border();
-    for (int n = 0; n < m_result.number_of_vertices(); ++n)
-      connect_around(n, m_leaving[n]);
+      connect_around(m_first_inner_node + i, outgoing(m_around[i]));
   }
 
-  bool is_border_node(int n) const
+  // On the border the first one has the border on its right, the last one on its left.
+  std::vector<Outgoing> outgoing_from_vertex(int v) const
   {
-    return n >= m_first_crossing_node + int(m_around.size());
-  }
-
-  // The first halfedge counter-clockwise about a border node is the one that has the border on its
-  // right, the last one is on the border.
-  void add_border()
-  {
-    for (int a = m_first_border_arc; a < m_result.number_of_edges(); ++a) {
-      auto& at_source = m_leaving[m_result.halfedge_target[2 * a + 1]];
-      at_source.insert(at_source.begin(), {2 * a, 0});
+    std::vector<Outgoing> result;
+    surface().for_each_outgoing(v, [&](int h) {
+      if (surface().is_fixed(h))
+        result.push_back({first_arc_along(h), surface().is_border(h) ? 0 : 1});
+      for (int arc : m_result.corner_arcs[h])
+        result.push_back({arc, 1});
+    });
+    if (surface().is_on_border(v)) {
+      const int e = surface().edge(surface().border_halfedge_to(v));
+      result.push_back({Halfedge_complex::opposite(m_result.edge_arcs[e].back()), 1});
     }
-    for (int a = m_first_border_arc; a < m_result.number_of_edges(); ++a)
-      m_leaving[m_result.halfedge_target[2 * a]].push_back({2 * a + 1, 1});
+    return result;
+  }
+
+  // the halfedge of the arc that begins with the fixed halfedge h
+  int first_arc_along(int h) const
+  {
+    const auto& arcs = m_result.edge_arcs[surface().edge(h)];
+    return surface().halfedge_of_edge(surface().edge(h)) == h
+               ? arcs.front()
+               : Halfedge_complex::opposite(arcs.back());
   }
 
   static std::vector<Outgoing> outgoing(const std::array<int, 4>& around)
@@ -287,7 +368,11 @@ private:
     }
   }
 
-  bool is_outside(int h) const { return h % 2 == 1 && h / 2 >= m_first_border_arc; }
+  bool is_outside(int h) const
+  {
+    const auto& pieces = m_result.arc_pieces[Halfedge_complex::edge(h)];
+    return h % 2 == 1 && !pieces.empty() && surface().is_border(pieces.front().halfedge);
+  }
 
   // Points behind the end of a trace have no arc. The arcs know their crossings by points so far.
   void collect_edge_crossings()
@@ -314,9 +399,8 @@ private:
   const Motorcycles& m_motorcycles;
   std::vector<int> m_node_of_vertex, m_node_of_crossing, m_node_of_point; // -1: no node
   std::vector<int> m_halfedge_of_point;
-  std::vector<std::vector<Outgoing>> m_leaving; // per node
-  std::vector<std::array<int, 4>> m_around;   // per crossing node
-  int m_first_crossing_node = 0, m_first_border_arc = 0;
+  std::vector<std::array<int, 4>> m_around;   // per inner node
+  int m_first_inner_node = 0;                 // behind those at vertices of the surface
   T_mesh m_result;
 };
 

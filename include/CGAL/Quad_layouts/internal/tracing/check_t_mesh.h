@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/tracing/starting_vertices.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -72,7 +73,7 @@ inline void check_euler_characteristics(const T_mesh& t_mesh)
 }
 
 // Checks that walks around the corners of all triangles cross arcs from patch to patch without a
-// gap. Then every piece of an edge lies in one patch, and so does every vertex that is no node.
+// gap, and that arcs along edges have the patches beside these. Then every piece of an edge lies in one patch, and so does every vertex that is no node.
 class Crossing_check
 {
 public:
@@ -114,18 +115,31 @@ private:
     note(m_surface.opposite(h), right(crossings.back()));
   }
 
-  // of an edge on the border: its last piece must belong to the patch that its end is in
   void check_arcs_along(int e)
   {
-    const auto& arcs = m_t_mesh.edge_arcs[e];
-    const int h = m_surface.halfedge_of_edge(e), end = Surface::next(h);
+    std::vector<int> arcs = m_t_mesh.edge_arcs[e];
+    const int h = m_surface.halfedge_of_edge(e);
     if (arcs.size() != m_t_mesh.crossing_parameters[e].size() + 1)
       fail(h);
+    check_side(h, arcs);
+    if (m_surface.is_border(h))
+      return;
+    std::reverse(arcs.begin(), arcs.end());
+    for (int& a : arcs)
+      a = Halfedge_complex::opposite(a);
+    check_side(m_surface.opposite(h), arcs);
+  }
+
+  // of a fixed halfedge, along which `arcs` run: the last patch must be that in which its end is
+  void check_side(int h, const std::vector<int>& arcs)
+  {
+    const int end = Surface::next(h);
     note(h, left(arcs.front()));
-    if (m_t_mesh.corner_arcs[end].empty())
+    if (!m_t_mesh.corner_arcs[end].empty()) {
+      if (left(m_t_mesh.corner_arcs[end].back()) != left(arcs.back()))
+        fail(end);
+    } else if (!m_surface.is_fixed(end))
       note(end, left(arcs.back()));
-    else if (left(m_t_mesh.corner_arcs[end].back()) != left(arcs.back()))
-      fail(end);
   }
 
   void check_corner(int h)
@@ -135,7 +149,7 @@ private:
       if (left(arcs[i - 1]) != right(arcs[i]))
         fail(h);
     note(h, right(arcs.front()));
-    if (m_surface.turn_left(h) >= 0)
+    if (!m_surface.is_fixed(Surface::prev(h)))
       note(m_surface.turn_left(h), left(arcs.back()));
   }
 
@@ -154,13 +168,16 @@ private:
   void spread()
   {
     while (!m_stack.empty()) {
-      const int h = m_stack.back(), right = m_surface.turn_right(h), patch = m_patch[h];
+      const int h = m_stack.back(), patch = m_patch[h];
       m_stack.pop_back();
-      if (m_t_mesh.corner_arcs[h].empty() && m_surface.turn_left(h) >= 0)
+      if (m_t_mesh.corner_arcs[h].empty() && !m_surface.is_fixed(Surface::prev(h)))
         note(m_surface.turn_left(h), patch);
-      if (right >= 0 && m_t_mesh.corner_arcs[right].empty())
+      if (m_surface.is_fixed(h))
+        continue;
+      const int right = m_surface.turn_right(h);
+      if (m_t_mesh.corner_arcs[right].empty())
         note(right, patch);
-      if (!m_surface.is_border(h) && m_t_mesh.edge_crossings[m_surface.edge(h)].empty())
+      if (m_t_mesh.edge_crossings[m_surface.edge(h)].empty())
         note(m_surface.opposite(h), patch);
     }
     for (int h = 0; h < m_surface.number_of_halfedges(); ++h)

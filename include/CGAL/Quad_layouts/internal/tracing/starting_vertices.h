@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_STARTING_VERTICES_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_STARTING_VERTICES_H
 
+#include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/tracing/Labels.h>
 
 #include <algorithm>
@@ -40,26 +41,28 @@ inline std::vector<int> components(const Triangle_surface& surface)
   return component;
 }
 
-// Lets traces start at the first vertex of each border that would have no start otherwise. The border
-// must have one, and so must every patch at it, which would be no disc.
-inline void start_on_each_border(const Triangle_surface& surface, std::vector<char>& starts)
+// Lets traces start at the first vertex of each closed curve of fixed edges, like a border, that would
+// have no start otherwise. The curve must have one, and so must every patch at it, which would be no
+// disc.
+inline void start_on_each_fixed_curve(const Triangle_surface& surface, std::vector<char>& starts)
 {
-  std::vector<char> is_known(surface.number_of_vertices(), 0);
-  for (int v = 0; v < surface.number_of_vertices(); ++v) {
-    if (is_known[v] || !surface.is_on_border(v))
-      continue;
-    bool has_start = false;
-    for (int u = v; !is_known[u]; u = surface.target(surface.halfedge(u))) {
-      is_known[u] = 1;
-      has_start |= starts[u] != 0;
+  Disjoint_sets curves(surface.number_of_vertices());
+  std::vector<char> is_fixed(surface.number_of_vertices(), 0), has_start = is_fixed;
+  for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    if (surface.is_fixed(h)) {
+      curves.union_set(surface.source(h), surface.target(h));
+      is_fixed[surface.source(h)] = is_fixed[surface.target(h)] = 1;
     }
-    if (!has_start)
-      starts[v] = 1;
-  }
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    has_start[curves.find_set(v)] |= starts[v];
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    if (is_fixed[v] && !has_start[curves.find_set(v)])
+      starts[v] = has_start[curves.find_set(v)] = 1;
 }
 
-// returns the vertices where traces start, ascending: the singular ones, `seeds`, and the first
-// vertex of each border and each component that would have none otherwise
+// returns the vertices where traces start, ascending: the singular ones, those where fixed curves end,
+// meet or have corners, `seeds`, and the first vertex of each fixed curve and each component that
+// would have none otherwise
 inline std::vector<int> starting_vertices(const Labels& labels, const std::vector<int>& seeds)
 {
   const Triangle_surface& surface = labels.surface();
@@ -68,9 +71,9 @@ inline std::vector<int> starting_vertices(const Labels& labels, const std::vecto
   for (int s : seeds)
     starts[s] = 1;
   for (int v = 0; v < surface.number_of_vertices(); ++v)
-    if (labels.index(v) != 0)
+    if (labels.index(v) != 0 || !labels.goes_straight_on(v))
       starts[v] = 1;
-  start_on_each_border(surface, starts);
+  start_on_each_fixed_curve(surface, starts);
   for (int v = 0; v < surface.number_of_vertices(); ++v)
     has_start[component[v]] |= starts[v];
   std::vector<int> result;

@@ -43,7 +43,7 @@ inline int seed_beside(const Labels& labels, int f)
   for (int h = 3 * f; h < 3 * f + 3 && seed < 0; ++h)
     surface.for_each_outgoing(surface.source(h), [&](int g) {
       const int v = surface.target(g);
-      if (seed < 0 && labels.index(v) == 0 && !surface.is_on_border(v))
+      if (seed < 0 && labels.index(v) == 0 && surface.number_of_fixed_edges(v) == 0)
         seed = v;
     });
   return seed;

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_SURFACE_FIX_CONSTRAINED_EDGES_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_SURFACE_FIX_CONSTRAINED_EDGES_H
+
+#include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// fixes the edges of `surface`, the working copy of `mesh`, for which `is_constrained` is true
+template <class FaceGraph, class EdgeMap>
+void fix_constrained_edges(const FaceGraph& mesh, EdgeMap is_constrained, Triangle_surface& surface)
+{
+  int h = 0; // the halfedges of each face are numbered in order
+  for (const auto f : faces(mesh))
+    for (const auto side : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      if (get(is_constrained, edge(side, mesh)))
+        surface.fix(h);
+      ++h;
+    }
+}
+
+// does nothing, if there is no map
+template <class FaceGraph>
+void fix_constrained_edges(const FaceGraph&, const internal_np::Param_not_found&, Triangle_surface&)
+{
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_SURFACE_FIX_CONSTRAINED_EDGES_H

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE features
+#include <boost/test/unit_test.hpp>
+
+#include "generated_fields.h"
+#include "generated_meshes.h"
+#include "invariants.h"
+
+#include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/embed_quad_layout.h>
+#include <CGAL/Quad_layouts/extract_quad_layout.h>
+#include <CGAL/Quad_layouts/measure_quad_mesh.h>
+#include <CGAL/Quad_layouts/quad_remesh.h>
+#include <CGAL/Quad_layouts/quantize.h>
+#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+// Feature curves, on their way through all stages.
+
+namespace QL = CGAL::Quad_layouts;
+namespace parameters = CGAL::Quad_layouts::parameters;
+using generated::Mesh;
+
+namespace {
+
+using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+struct Result
+{
+  QL::Cross_field field;
+  QL::T_mesh t_mesh;
+  QL::Quad_layout layout;
+  QL::Integer_grid_map map;
+};
+
+// marks the edges for which `is_feature` holds at both ends
+template <class Predicate>
+Edge_map features(Mesh& mesh, Predicate is_feature)
+{
+  Edge_map result = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for (const auto e : edges(mesh))
+    result[e] = is_feature(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
+  return result;
+}
+
+Edge_map sharp_edges(Mesh& mesh)
+{
+  Edge_map result = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 40, result);
+  return result;
+}
+
+// says if layout edges that are fixed are as long as the feature curves: each unit of a fixed arc has
+// its own
+void check_fixed_edges(const QL::T_mesh& t, const QL::Quad_layout& layout)
+{
+  std::vector<int> uses(layout.number_of_edges(), 0);
+  for (int a = 0; a < t.number_of_edges(); ++a)
+    if (t.is_fixed(a))
+      for (int h : layout.arc_halfedges[a])
+        ++uses[QL::Quad_layout::edge(h)];
+  for (int e = 0; e < layout.number_of_edges(); ++e)
+    BOOST_TEST(uses[e] == int(layout.is_fixed(e)));
+}
+
+Result run(const Mesh& mesh, const Edge_map& is_feature)
+{
+  Result r;
+  r.field = QL::compute_cross_field(mesh, parameters::default_values().edge_is_constrained_map(is_feature));
+  const auto np = parameters::target_edge_length(0.1);
+  r.t_mesh = QL::trace_motorcycle_graph(r.field, np);
+  invariants::check_t_mesh(r.t_mesh);
+  const QL::Quantization q = QL::quantize(r.t_mesh, np);
+  BOOST_TEST_REQUIRE(q.status != QL::Quantization::INFEASIBLE);
+  r.layout = QL::extract_quad_layout(r.t_mesh, q);
+  invariants::check_halfedge_complex(r.layout);
+  check_fixed_edges(r.t_mesh, r.layout);
+  r.map = QL::embed_quad_layout(r.t_mesh, r.layout, np);
+  return r;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(edges_of_a_cube)
+{
+  Mesh mesh = generated::cube(4);
+  const Result r = run(mesh, sharp_edges(mesh));
+  BOOST_TEST(r.t_mesh.number_of_faces() == 6);
+  BOOST_TEST(r.layout.number_of_patches == 6);
+}
+
+// A pair of valence 3 and 5 on one side of a cube whose edges are fixed: it can only merge (Figure 5 of
+// Lyon, Campen and Kobbelt 2021).
+BOOST_AUTO_TEST_CASE(a_pair_between_fixed_edges_merges)
+{
+  Mesh mesh = generated::cube(10);
+  const auto is_feature = sharp_edges(mesh);
+  const auto direction =
+      mesh.add_property_map<Mesh::Face_index, generated::Vector>("f:v", {0, 0, 0}).first;
+  for (const auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const auto c = CGAL::centroid(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                                  mesh.point(target(next(h, mesh), mesh)));
+    const double angle = (std::atan2(c.y() - 0.5, c.x() - 0.25) -
+                          std::atan2(c.y() - 0.5, c.x() - 0.75)) / 4;
+    direction[f] = c.z() > 1 - 1e-9  ? generated::Vector(std::cos(angle), std::sin(angle), 0)
+                   : c.z() < 1e-9    ? generated::Vector(1, 0, 0)
+                                     : generated::Vector(0, 0, 1);
+  }
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, parameters::face_direction_map(direction).edge_is_constrained_map(is_feature));
+  BOOST_TEST(field.number_of_singularities() == 10);
+  const QL::T_mesh t = QL::trace_motorcycle_graph(field);
+  invariants::check_t_mesh(t);
+  const QL::Quantization q = QL::quantize(t);
+  BOOST_TEST_REQUIRE(q.status != QL::Quantization::INFEASIBLE);
+  const QL::Quad_layout layout = QL::extract_quad_layout(t, q);
+  BOOST_TEST(layout.number_of_irregular_vertices() == 8);
+  BOOST_TEST(layout.number_of_patches == 6);
+}
+
+BOOST_AUTO_TEST_CASE(quad_vertices_stay_on_the_edges_of_a_cube)
+{
+  Mesh mesh = generated::voxel_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 4);
+  const auto is_feature = sharp_edges(mesh);
+  Mesh quads;
+  const auto on_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  QL::quad_remesh(mesh, quads,
+                  parameters::target_edge_length(0.1).edge_is_constrained_map(is_feature),
+                  parameters::default_values().edge_is_constrained_map(on_feature));
+  double length = 0, expected = 0;
+  for (const auto e : edges(mesh))
+    if (is_feature[e])
+      expected += std::sqrt(CGAL::squared_distance(mesh.point(source(e, mesh)),
+                                                   mesh.point(target(e, mesh))));
+  for (const auto e : edges(quads))
+    if (on_feature[e])
+      length += std::sqrt(CGAL::squared_distance(quads.point(source(e, quads)),
+                                                 quads.point(target(e, quads))));
+  BOOST_TEST(length == expected, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(QL::measure_quad_mesh(quads).msj_minimum > 0.9);
+}
+
+// A plate is divided by a curve from border to border, and by one that ends inside.
+BOOST_AUTO_TEST_CASE(curves_on_a_plate)
+{
+  Mesh mesh = generated::plate_with_holes(2, 2, {}, 4);
+  const auto on_line = [](const generated::Point& p) { return p.y() == 1; };
+  const Result r = run(mesh, features(mesh, [&](const auto& p, const auto& q) {
+                         return on_line(p) && on_line(q);
+                       }));
+  BOOST_TEST(r.layout.number_of_patches == 2);
+  Mesh other = generated::plate_with_holes(2, 2, {}, 4);
+  const Result s = run(other, features(other, [&](const auto& p, const auto& q) {
+                         return on_line(p) && on_line(q) && p.x() <= 1 && q.x() <= 1;
+                       }));
+  BOOST_TEST(s.layout.number_of_patches == 4);
+}
+
+BOOST_AUTO_TEST_CASE(circle_on_a_plate)
+{
+  Mesh mesh = generated::disc(12);
+  const Result r = run(mesh, features(mesh, [&](const auto& p, const auto& q) {
+                         const auto is_on = [](const generated::Point& x) {
+                           return std::abs(std::hypot(x.x(), x.y()) - 0.5) < 1e-9;
+                         };
+                         return is_on(p) && is_on(q);
+                       }));
+  BOOST_TEST(r.layout.number_of_irregular_vertices() == 4);
+}
