@@ -123,7 +123,7 @@ inline bool must_be_positive(double own, double other, bool own_is_longer,
                        : own - demands.reach > demands.tangent * (other + demands.reach);
 }
 
-// says if run `t` leads from one singularity or seed to another
+// says if `run` leads from one singularity or seed to another
 inline bool leads_to_singularity(const T_mesh& t_mesh, const Run& run)
 {
   if (run.arcs.empty())
