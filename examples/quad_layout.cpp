@@ -113,9 +113,10 @@ int main(int argc, char* argv[])
       std::cout << usage();
       return EXIT_SUCCESS;
     }
-    Mesh mesh = read_mesh(options.input);
     Results results;
-    run_stages(mesh, options, results);
+    Stage_clock clock(options, results.seconds);
+    Mesh mesh = clock("read", [&] { return read_mesh(options.input, options.repair); });
+    run_stages(mesh, options, clock, results);
     write(mesh, results, options.output);
     return EXIT_SUCCESS;
   } catch (const Usage_error& error) {
@@ -125,10 +126,7 @@ int main(int argc, char* argv[])
     std::cerr << "quad_layout: " << error.what() << '\n';
     return usage_status;
   } catch (const QL::Error& error) {
-    const std::string hint = repair_hint(error);
-    std::cerr << "quad_layout: " << error.what() << '\n';
-    if (!hint.empty())
-      std::cerr << "quad_layout: " << hint << " may repair it\n";
+    std::cerr << "quad_layout: " << error.what() << repair_hint(error) << '\n';
   } catch (const std::exception& error) {
     std::cerr << "quad_layout: " << error.what() << '\n';
   }

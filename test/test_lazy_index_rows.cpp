@@ -127,7 +127,8 @@ BOOST_AUTO_TEST_CASE(quantizations_repeat_and_are_no_worse_than_the_start)
   const auto paper = internal::build_quantization_program(
       t, {std::tan(15 * 3.14159265358979323846 / 180), 4 * h, -4, 1});
   auto program = internal::reduce(t, paper, graph);
-  internal::Incumbent start(t, paper, graph, program);
+  const internal::Monitor monitor;
+  internal::Incumbent start(t, paper, graph, program, monitor);
   BOOST_REQUIRE(start.start());
   BOOST_TEST(q.objective <= start.objective() * (1 + 1e-9));
 }

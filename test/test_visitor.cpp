@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/visitor.h>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -63,7 +64,7 @@ BOOST_AUTO_TEST_CASE(visitor_by_reference)
   Diary diary;
   BOOST_TEST(work(params::visitor(std::ref(diary)).maximum_deviation(20)) == 42);
   BOOST_TEST(*diary.text == "<a.a><b9/8!b>");
-  BOOST_TEST(diary.patience == 98);
+  BOOST_TEST(diary.patience == 96); // asked before each of two stages, and at each report
 }
 
 BOOST_AUTO_TEST_CASE(visitor_by_value)
@@ -74,10 +75,30 @@ BOOST_AUTO_TEST_CASE(visitor_by_value)
   BOOST_TEST(diary.patience == 100);
 }
 
+BOOST_AUTO_TEST_CASE(time_limit_stops_the_work)
+{
+  Diary diary;
+  const auto np = params::visitor(std::ref(diary));
+  BOOST_CHECK_THROW(work(np.maximum_running_time(1e-9)), QL::Time_limit_exceeded);
+  BOOST_TEST(*diary.text == "<a.");
+  BOOST_TEST(work(np.maximum_running_time(1e30)) == 42);
+  for (const double seconds : {0., -1., std::nan("")})
+    BOOST_CHECK_THROW(work(np.maximum_running_time(seconds)), QL::Invalid_parameter);
+}
+
+BOOST_AUTO_TEST_CASE(work_with_a_result_at_any_time_ends_early)
+{
+  const QL::internal::Monitor endless, limited = endless.limited_to(1e-9);
+  BOOST_TEST(endless.has_time("a"));
+  BOOST_TEST(!limited.has_time("a"));
+  BOOST_TEST(!limited.limited_to(100).has_time("a"));
+  BOOST_TEST(endless.limited_to(100).has_time("a"));
+}
+
 BOOST_AUTO_TEST_CASE(visitor_stops_the_work)
 {
   Diary diary;
-  diary.patience = 1;
+  diary.patience = 3;
   BOOST_CHECK_THROW(work(params::visitor(std::ref(diary))), QL::Cancelled);
   BOOST_TEST(*diary.text == "<a.a><b9/8!");
 }

@@ -8,6 +8,7 @@
 #define QUAD_LAYOUTS_EXAMPLES_OPTIONS_H
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -30,10 +31,12 @@ struct Options
   double alpha = 15;           // degrees
   double displacement = 2;     // target edge lengths
   double edge_length = 0.01;   // of the diagonal of the bounding box
-  double time_limit = 30;      // seconds
+  double time_limit = std::numeric_limits<double>::infinity(); // seconds
+  double search_limit = 30;                                    // seconds
   double features = 0;         // degrees; 0: none
   int min_valence = 3;
   int max_valence = 8;
+  bool repair = false;
   bool quiet = false;
   bool help = false;
 };
@@ -42,8 +45,8 @@ inline const char* usage()
 {
   return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
-         "                         [--solver NAME] [--time-limit S] [--field FILE]\n"
-         "                         [--features DEG]\n"
+         "                         [--solver NAME] [--search-limit S] [--time-limit S]\n"
+         "                         [--field FILE] [--features DEG] [--repair]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
          "Computes a simple quad layout of a triangle mesh, and a quad mesh on it.\n"
@@ -56,9 +59,12 @@ inline const char* usage()
          "  --min-valence N        least valence of a vertex (3)\n"
          "  --max-valence N        greatest valence of a vertex (8)\n"
          "  --solver NAME          of the integer program: glpk, cbc or highs (glpk)\n"
-         "  --time-limit S         for the integer program, in seconds (30)\n"
+         "  --search-limit S       for the search of the integer program, in seconds (30)\n"
+         "  --time-limit S         for everything, in seconds; the search gets at most half of what\n"
+         "                         is left when it begins (none)\n"
          "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"
+         "  --repair               first make an oriented manifold of triangles of the input\n"
          "  --write-program FILE   where to write the integer program, in MPS format\n"
          "  --read-solution FILE   a solution of that program, used instead of solving it\n"
          "  --quiet                no progress on the standard error stream\n"
@@ -126,6 +132,7 @@ inline Options parse(int argc, char* argv[])
       {"--min-valence", integer(result.min_valence)},
       {"--max-valence", integer(result.max_valence)},
       {"--solver", text(result.solver)},
+      {"--search-limit", real(result.search_limit)},
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
       {"--features", real(result.features)},
@@ -139,7 +146,9 @@ inline Options parse(int argc, char* argv[])
       if (++i == argc)
         throw Usage_error(word + " needs a value");
       setter->second(word, argv[i]);
-    } else if (word == "--quiet")
+    } else if (word == "--repair")
+      result.repair = true;
+    else if (word == "--quiet")
       result.quiet = true;
     else if (word == "--help" || word == "-h")
       result.help = true;
@@ -153,7 +162,9 @@ inline Options parse(int argc, char* argv[])
   if (result.input.empty() && !result.help)
     throw Usage_error("no input");
   check_solver(result.solver);
-  if (result.features < 0 || result.features > 180)
+  if (!(result.time_limit > 0) || !(result.search_limit > 0))
+    throw Usage_error("a time limit must be greater than 0");
+  if (!(result.features >= 0) || result.features > 180)
     throw Usage_error("--features needs an angle from 0 to 180 degrees");
   return result;
 }

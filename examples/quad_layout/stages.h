@@ -33,6 +33,7 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iomanip>
@@ -75,19 +76,27 @@ struct Results
   std::vector<std::pair<std::string, double>> seconds; // per stage, and in total
 };
 
-// measures and announces the stages
+// measures and announces the stages, and knows how much time is left for them
 class Stage_clock
 {
 public:
-  Stage_clock(bool quiet, Results& results) : m_quiet(quiet), m_results(results)
+  Stage_clock(const Options& options, std::vector<std::pair<std::string, double>>& seconds)
+    : m_options(options), m_seconds(seconds)
   {
     m_total.start();
+  }
+
+  // if none is left, still enough for a stage to find that out
+  double seconds_left() const
+  {
+    constexpr double hardly_any = 1e-3;
+    return (std::max)(hardly_any, m_options.time_limit - m_total.time());
   }
 
   template <class Work>
   auto operator()(const std::string& stage, const Work& work)
   {
-    if (!m_quiet)
+    if (!m_options.quiet)
       std::cerr << stage << " ...\n";
     CGAL::Real_timer timer;
     timer.start();
@@ -106,14 +115,14 @@ public:
 private:
   void note(const std::string& stage, double seconds)
   {
-    m_results.seconds.emplace_back(stage, seconds);
-    if (!m_quiet)
+    m_seconds.emplace_back(stage, seconds);
+    if (!m_options.quiet)
       std::cerr << "  " << std::fixed << std::setprecision(2) << seconds << " s\n"
                 << std::defaultfloat << std::setprecision(6);
   }
 
-  bool m_quiet;
-  Results& m_results;
+  const Options& m_options;
+  std::vector<std::pair<std::string, double>>& m_seconds;
   CGAL::Real_timer m_total;
 };
 
@@ -135,9 +144,11 @@ inline Mesh::Property_map<Mesh::Edge_index, bool> sharp_edges(Mesh& mesh, double
 
 template <class EdgeMap>
 QL::Cross_field field_of(Mesh& mesh, const Options& options, const EdgeMap& features,
-                         Progress& progress)
+                         Progress& progress, double seconds)
 {
-  const auto np = QL::parameters::visitor(std::ref(progress)).edge_is_constrained_map(features);
+  const auto np = QL::parameters::visitor(std::ref(progress))
+                      .edge_is_constrained_map(features)
+                      .maximum_running_time(seconds);
   if (options.field.empty())
     return QL::compute_cross_field(mesh, np);
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
@@ -178,19 +189,22 @@ QL::Quantization quantize_by(const std::string& solver, const QL::T_mesh& t_mesh
 }
 
 // runs all stages on a mesh
-inline void run_stages(Mesh& mesh, const Options& options, Results& results)
+inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, Results& results)
 {
   Progress progress;
   progress.quiet = options.quiet;
-  Stage_clock clock(options.quiet, results);
   const double target = options.edge_length * diagonal(mesh);
   const auto np = QL::parameters::maximum_deviation(options.alpha)
                       .maximum_displacement(options.displacement)
                       .target_edge_length(target)
                       .minimum_valence(options.min_valence)
                       .maximum_valence(options.max_valence)
-                      .maximum_running_time(options.time_limit)
                       .visitor(std::ref(progress));
+  const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
+  const auto search = [&] {
+    const double half = clock.seconds_left() / 2;
+    return np.maximum_running_time((std::min)(options.search_limit, half));
+  };
   auto& r = results;
   r.patch = r.quads.add_property_map<Mesh::Face_index, int>("f:patch", -1).first;
   r.is_node = r.quads.add_property_map<Mesh::Vertex_index, bool>("v:is_node", false).first;
@@ -200,18 +214,19 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
   const auto features = sharp_edges(mesh, options.features);
   const auto on_feature = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_feature", false)
                               .first;
-  r.field = clock("field", [&] { return field_of(mesh, options, features, progress); });
-  r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, np); });
+  r.field = clock("field", [&] { return field_of(mesh, options, features, progress,
+                                                  clock.seconds_left()); });
+  r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, limited()); });
   if (!options.program.empty())
     write_program(options.program, r.t_mesh, np);
   r.quantization = clock("quantize", [&] {
-    return options.solution.empty() ? quantize_by(options.solver, r.t_mesh, np)
+    return options.solution.empty() ? quantize_by(options.solver, r.t_mesh, search())
                                     : read_solution(options.solution, r.t_mesh, np);
   });
   if (r.quantization.status == QL::Quantization::INFEASIBLE)
     throw QL::Stage_failure("quantize: no valid quantization was found");
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
-  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, np); });
+  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, limited()); });
   clock("quad_mesh", [&] {
     QL::extract_quad_mesh(r.map, r.layout, r.quads,
                           QL::parameters::face_patch_map(r.patch)
@@ -220,7 +235,7 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
                               .edge_is_constrained_map(on_feature));
   });
   clock("smooth", [&] {
-    QL::smooth_quad_mesh(r.quads, mesh, np.edge_is_constrained_map(on_feature),
+    QL::smooth_quad_mesh(r.quads, mesh, limited().edge_is_constrained_map(on_feature),
                          QL::parameters::default_values().edge_is_constrained_map(features));
   });
   clock.finish();

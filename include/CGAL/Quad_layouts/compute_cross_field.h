@@ -118,6 +118,11 @@ every run.
                    `TriangleMesh` as key type and `%Point_3` as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{when to give up, in seconds}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{unlimited}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told the progress, and can stop the work}
     \cgalParamType{a class like `Default_visitor`}
@@ -130,6 +135,7 @@ every run.
 \throw Invalid_mesh if the mesh cannot be used; the derived class says why.
 \throw Invalid_parameter if a parameter is out of its range, or a given direction is not finite or
        normal to its face, or, in `face_direction_map`, zero.
+\throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
 The time is dominated by one sparse factorization and two triangular solutions a step; it grows a
@@ -166,6 +172,7 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
     internal::fix_constrained_edges(tm, is_constrained, whole);
     const auto surface = std::make_shared<const internal::Triangle_surface>(
       internal::split_fixed_faces(whole));
+    monitor.check("compute_cross_field");
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);
   });

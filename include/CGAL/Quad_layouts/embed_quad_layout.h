@@ -56,6 +56,11 @@ all the vertices of the surface of the T-mesh, and more behind them.
     \cgalParamType{double}
     \cgalParamDefault{one percent of the diagonal of the bounding box of the surface}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{when to give up, in seconds}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{unlimited}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told the progress, and can stop the work}
     \cgalParamType{a class like `Default_visitor`}
@@ -66,6 +71,7 @@ all the vertices of the surface of the T-mesh, and more behind them.
 \throw Invalid_parameter if a parameter is out of its range.
 \throw Stage_failure if no valid map was found, with the place where it failed. An invalid map is
 never returned.
+\throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
 The time is about linear in the number of triangles of the common refinement, plus that of

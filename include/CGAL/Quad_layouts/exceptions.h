@@ -101,6 +101,13 @@ public:
   using Error::Error;
 };
 
+/// says that the work was not done within `maximum_running_time`; the message names the stage.
+class Time_limit_exceeded : public Error
+{
+public:
+  using Error::Error;
+};
+
 /// says that the visitor asked to stop.
 class Cancelled : public Error
 {

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_mesh.h>
 #include <CGAL/Quad_layouts/graph_traits_Halfedge_complex.h>
+#include <CGAL/Quad_layouts/internal/running_time_limit.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
@@ -47,12 +48,40 @@ Quantization quantize_on_mesh(const T_mesh& t_mesh, const TriangleMesh& tm,
 }
 
 template <class TriangleMesh, class NamedParameters>
-Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const NamedParameters& np)
+T_mesh t_mesh_of(const TriangleMesh& tm, const Time_budget& budget, const NamedParameters& np)
 {
-  const Quantization quantization = quantize_on_mesh(t_mesh, tm, np);
+  const Cross_field field = compute_cross_field(
+      tm, with_time_limit(np, budget.left_for("compute_cross_field")));
+  return trace_motorcycle_graph(field,
+                                with_time_limit(np, budget.left_for("trace_motorcycle_graph")));
+}
+
+template <class TriangleMesh, class NamedParameters>
+Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Time_budget& budget,
+                          const NamedParameters& np)
+{
+  const double seconds = budget.left_for_search(Quantization_options::default_seconds);
+  const Quantization quantization = quantize_on_mesh(t_mesh, tm, with_time_limit(np, seconds));
   if (quantization.status == Quantization::INFEASIBLE)
     throw Stage_failure("quantize: no valid layout was found that meets all demands");
   return extract_quad_layout(t_mesh, quantization);
+}
+
+// empties a mesh, whose property maps stay; `CGAL::clear()` takes away those of a `Surface_mesh`
+template <class Mesh>
+void remove_all(Mesh& mesh)
+{
+  using Traits = boost::graph_traits<Mesh>;
+  const std::vector<typename Traits::face_descriptor> fs(faces(mesh).begin(), faces(mesh).end());
+  const std::vector<typename Traits::edge_descriptor> es(edges(mesh).begin(), edges(mesh).end());
+  const std::vector<typename Traits::vertex_descriptor> vs(vertices(mesh).begin(),
+                                                           vertices(mesh).end());
+  for (const auto f : fs)
+    remove_face(f, mesh);
+  for (const auto e : es)
+    remove_edge(e, mesh);
+  for (const auto v : vs)
+    remove_vertex(v, mesh);
 }
 
 // the pack, with a map for the edges on fixed curves if it has none; its values go to `on_curve`, as
@@ -90,8 +119,9 @@ loops and several edges between two vertices, which not every function on meshes
 \param out the mesh that the layout is added to
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-          `maximum_running_time`, `vertex_point_map`, `visitor`, ...; and `face_weight_map`, which
-          says how dear patches are on a face, see `arc_weights()`
+          `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
+          of which the integer program gets 30 seconds at most; and `face_weight_map`, which says how
+          dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               `vertex_point_map`
 
@@ -105,8 +135,9 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
                  const NamedParameters& np = parameters::default_values(),
                  const NamedParametersOut& np_out = parameters::default_values())
 {
-  const T_mesh t_mesh = trace_motorcycle_graph(compute_cross_field(tm, np), np);
-  const Quad_layout layout = internal::simple_layout(t_mesh, tm, np);
+  const internal::Time_budget budget(internal::running_time_limit(np));
+  const T_mesh t_mesh = internal::t_mesh_of(tm, budget, np);
+  const Quad_layout layout = internal::simple_layout(t_mesh, tm, budget, np);
   copy_face_graph(layout, out, parameters::default_values(), np_out);
 }
 
@@ -127,8 +158,9 @@ them.
 \param out the mesh that the quadrilaterals are stored in; it must be empty
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-          `maximum_running_time`, `vertex_point_map`, `visitor`, ...; and `face_weight_map`, which
-          says how dear patches are on a face, see `arc_weights()`
+          `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
+          of which the integer program gets 30 seconds at most; and `face_weight_map`, which says how
+          dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               those of `extract_quad_mesh()` and `smooth_quad_mesh()`
 
@@ -144,13 +176,21 @@ void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
                  const NamedParametersOut& np_out = parameters::default_values())
 {
   CGAL_precondition(is_empty(out));
-  const Cross_field field = compute_cross_field(tm, np);
-  const T_mesh t_mesh = trace_motorcycle_graph(field, np);
-  const Quad_layout layout = internal::simple_layout(t_mesh, tm, np);
+  using internal::with_time_limit;
+  const internal::Time_budget budget(internal::running_time_limit(np));
+  const T_mesh t_mesh = internal::t_mesh_of(tm, budget, np);
+  const Quad_layout layout = internal::simple_layout(t_mesh, tm, budget, np);
   std::unordered_map<typename boost::graph_traits<QuadMesh>::edge_descriptor, bool> on_curve;
   const auto np_quads = internal::with_edge_map(on_curve, np_out);
-  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np), layout, out, np_quads);
-  smooth_quad_mesh(out, tm, np_quads, np);
+  const auto np_map = with_time_limit(np, budget.left_for("embed_quad_layout"));
+  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np_map), layout, out, np_quads);
+  try {
+    smooth_quad_mesh(out, tm, np_quads,
+                     with_time_limit(np, budget.left_for_improvement()));
+  } catch (...) {
+    internal::remove_all(out);
+    throw;
+  }
 }
 
 } // namespace Quad_layouts

@@ -91,7 +91,7 @@ whole search the limit itself, which is usual above about one hundred singularit
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{when to end the search, in seconds; the best solution found is returned}
-    \cgalParamType{double}
+    \cgalParamType{`double`, positive}
     \cgalParamDefault{`30`}
   \cgalParamNEnd
   \cgalParamNBegin{relative_gap}
@@ -156,6 +156,7 @@ whole search the limit itself, which is usual above about one hundred singularit
 \throw Unsatisfiable_demand if no quantization keeps a pair of `forbidden_merges` separate, or makes
        the layout edge of one of `forced_connections`; the message names its vertices. Or if no
        trace has an image under `vertex_symmetry`.
+\throw Time_limit_exceeded if there is not even a first solution within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
 The first solution takes time about quadratic in the number of traces. The program is NP-hard: its
@@ -167,7 +168,7 @@ Quantization quantize(const T_mesh& t_mesh,
                       const NamedParameters& np = parameters::default_values())
 {
   const internal::Quantization_options options = internal::quantization_options(t_mesh, np);
-  const internal::Monitor monitor = internal::monitor_from(np);
+  const internal::Monitor monitor = internal::visitor_of(np);
   return monitor.run("quantize", [&] {
     return internal::Quantization_search<MixedIntegerProgramTraits>(t_mesh, options, monitor).run();
   });

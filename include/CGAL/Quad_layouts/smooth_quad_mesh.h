@@ -46,15 +46,16 @@ void put_points(const Polygons& from, PolygonMesh& mesh, const VertexPointMap vp
   }
 }
 
-// the visitor of the first pack, or else that of the second
+// the visitor and the time limit of the first pack, or else those of the second
 template <class NamedParameters, class OtherParameters>
 Monitor monitor_from(const NamedParameters& np, const OtherParameters& other)
 {
+  const double seconds = running_time_limit(np, running_time_limit(other));
   using Found = decltype(parameters::get_parameter(np, internal_np::visitor));
   if constexpr (std::is_same_v<std::decay_t<Found>, internal_np::Param_not_found>)
-    return monitor_from(other);
+    return visitor_of(other).limited_to(seconds);
   else
-    return monitor_from(np);
+    return visitor_of(np).limited_to(seconds);
 }
 
 } // namespace internal
@@ -108,6 +109,11 @@ listed below
     \cgalParamDefault{30}
     \cgalParamExtra{With 0 the vertices are only put on the surface, and inverted quads untangled.}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{when to end, in seconds, with the shapes that have been reached}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{that of `np_surface`, or else unlimited}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object that follows the work and may stop it}
     \cgalParamType{a model of `QuadLayoutsVisitor`}
@@ -134,7 +140,7 @@ three-dimensional point as value type} \cgalParamDefault{`boost::get(CGAL::verte
 \cgalNamedParamsEnd
 
 \throw Invalid_mesh if `surface` cannot be used; the exception is of the class that says why.
-\throw Invalid_parameter if `number_of_iterations` is negative.
+\throw Invalid_parameter if `number_of_iterations` is negative, or `maximum_running_time` is not positive.
 \throw Stage_failure if a face of `quads` is not a quad.
 \throw Cancelled if the visitor stops the work. `quads` has not been changed then.
 

@@ -78,6 +78,11 @@ four times the Euler characteristic.
     \cgalParamType{double}
     \cgalParamDefault{one percent of the diagonal of the bounding box of the surface}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{when to give up, in seconds}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{unlimited}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told the progress, and can stop the work}
     \cgalParamType{a class like `Default_visitor`}
@@ -88,6 +93,7 @@ four times the Euler characteristic.
 \throw Invalid_parameter if a parameter is out of its range.
 \throw Stage_failure if the result is not a partition into discs with four corners; this is
        always checked.
+\throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
 The time is about linear in the number of triangles that all traces cross, plus the crossings of

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_VISITOR_H
 
 #include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/running_time_limit.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
 #include <functional>
@@ -79,9 +80,16 @@ Monitor monitor_of_visitor(const Visitor& visitor)
 
 // returns a monitor that calls the visitor in `np`, and does nothing if there is none
 template <class NamedParameters>
-Monitor monitor_from(const NamedParameters& np)
+Monitor visitor_of(const NamedParameters& np)
 {
   return monitor_of_visitor(parameters::get_parameter(np, internal_np::visitor));
+}
+
+// returns a monitor that calls the visitor in `np`, and ends the work at the time limit in `np`
+template <class NamedParameters>
+Monitor monitor_from(const NamedParameters& np)
+{
+  return visitor_of(np).limited_to(running_time_limit(np));
 }
 
 } // namespace internal

@@ -11,6 +11,8 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -20,7 +22,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// What long work sees of the user's visitor: a place to report progress to, and to be stopped from.
+// What long work sees of the user's visitor and time limit: a place to report progress to, and to be
+// stopped from.
 // It is not a template, so that the algorithms behind the public functions need not be.
 class Monitor
 {
@@ -46,21 +49,50 @@ public:
     m_callbacks.progress = std::move(report);
   }
 
+  // returns this monitor for work that has to end within `seconds` from now
+  Monitor limited_to(double seconds) const
+  {
+    constexpr double endless = 1e9; // more than what a clock can count would overflow
+    Monitor result = *this;
+    if (seconds < endless)
+      result.m_end = (std::min)(m_end, Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                          std::chrono::duration<double>(seconds)));
+    return result;
+  }
+
   // true if the user wants the work to end
   bool stopped() const { return m_callbacks.go_on && !m_callbacks.go_on(); }
 
-  // throws `Cancelled` if the user wants the work to end
-  void check(const char* stage) const
+  // true if the time is over
+  bool is_late() const { return m_end != (Clock::time_point::max)() && Clock::now() > m_end; }
+
+  // for work that has a result at any time: says if there is time for more of `stage`, and throws
+  // `Cancelled` if the user wants the work to end
+  bool has_time(const char* stage) const
   {
     if (stopped())
       throw Cancelled(std::string(stage) + ": cancelled by the visitor");
+    return !is_late();
   }
 
-  // reports that `fraction` (0 to 1) of `stage` is done, and checks for a wish to stop
-  void report(const char* stage, double fraction) const
+  // throws if the user wants the work to end or the time is over
+  void check(const char* stage) const
+  {
+    if (!has_time(stage))
+      throw Time_limit_exceeded(std::string(stage) + ": not done within the time limit");
+  }
+
+  // reports that `fraction` (0 to 1) of `stage` is done
+  void tell(const char* stage, double fraction) const
   {
     if (m_callbacks.progress)
       m_callbacks.progress(stage, fraction);
+  }
+
+  // reports that `fraction` (0 to 1) of `stage` is done, and checks whether it is to end
+  void report(const char* stage, double fraction) const
+  {
+    tell(stage, fraction);
     check(stage);
   }
 
@@ -72,12 +104,13 @@ public:
   }
 
   // returns what `work` returns, having told the visitor when the work, called `stage`, begins and
-  // when and after how long it ends
+  // when and after how long it ends; does not begin it if the user wants the work to end
   template <class Work>
   auto run(const char* stage, Work&& work) const
   {
     Real_timer timer;
     timer.start();
+    has_time(stage);
     if (m_callbacks.before_stage)
       m_callbacks.before_stage(stage);
     const auto finish = [&] {
@@ -95,7 +128,10 @@ public:
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   Callbacks m_callbacks;
+  Clock::time_point m_end = (Clock::time_point::max)();
 };
 
 } // namespace internal

@@ -32,34 +32,47 @@ public:
   // the first `number_of_originals` vertices are those of the surface
   Overlay_reduction(Embedded_layout& embedded, int number_of_originals, const Monitor& monitor)
     : m_mesh(embedded.mesh), m_is_held(m_mesh.points.size(), 0),
-      m_on_curve(m_mesh.points.size(), 0), m_seen_from(m_mesh.points.size(), -1)
+      m_on_curve(m_mesh.points.size(), 0), m_degree(m_mesh.points.size(), 0)
   {
     std::fill_n(m_is_held.begin(), number_of_originals, 1);
     for (const int v : embedded.vertices)
       m_is_held[v] = 1;
     if (m_mesh.infinite_vertex() >= 0)
       m_is_held[m_mesh.infinite_vertex()] = 1;
-    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h) {
+      ++m_degree[m_mesh.source(h)];
       if (m_mesh.curve[h] >= 0)
         m_on_curve[m_mesh.source(h)] = 1;
-    while (remove_some())
-      monitor.check("embed");
+    }
+    while (remove_some(monitor))
+      ;
     const std::vector<int> new_number = m_mesh.compact();
     for (int& v : embedded.vertices)
       v = new_number[v];
   }
 
 private:
-  bool remove_some()
+  bool remove_some(const Monitor& monitor)
   {
     bool any = false;
-    for (int u = 0; u < int(m_is_held.size()); ++u)
+    for (int u = 0; u < int(m_is_held.size()); ++u) {
+      if (u % 1024 == 0)
+        monitor.check("embed");
       if (!m_is_held[u] && !m_mesh.is_removed(u))
         if (const int h = best_collapse(u); h >= 0) {
-          m_mesh.collapse(h);
+          collapse(h);
           any = true;
         }
+    }
     return any;
+  }
+
+  void collapse(int h)
+  {
+    m_degree[m_mesh.target(h)] += m_degree[m_mesh.source(h)] - 4;
+    --m_degree[m_mesh.source(Curve_mesh::prev(h))];
+    --m_degree[m_mesh.source(Curve_mesh::prev(m_mesh.opposite(h)))];
+    m_mesh.collapse(h);
   }
 
   // the halfedge along which u should go, -1 if it has to stay
@@ -108,12 +121,13 @@ private:
 
   static constexpr double forbidden = -(std::numeric_limits<double>::infinity)();
   static constexpr double degenerate = 1e-9;
+  static constexpr int hub = 64; // a degree
 
   // The quality of the worst triangle that remains after the collapse of h; forbidden if one of
   // them would be inverted. Degenerate ones have no direction.
   double quality_without(int h)
   {
-    if (!keeps_manifold(h) || adds_chord(h))
+    if (feeds_hub(h) || !keeps_manifold(h) || adds_chord(h))
       return forbidden;
     double worst = 1;
     const int u = m_mesh.source(h), v = m_mesh.target(h);
@@ -137,17 +151,28 @@ private:
     return {m_mesh.points[m_mesh.target(g)], m_mesh.points[m_mesh.source(Curve_mesh::prev(g))]};
   }
 
+  // Vertices of many edges would take a time that is quadratic in their number.
+  bool feeds_hub(int h) const
+  {
+    const int gain = m_degree[m_mesh.source(h)] - 4;
+    return gain > 0 && m_degree[m_mesh.target(h)] + gain > hub;
+  }
+
   // the link condition; neighbours on the border have the vertex at infinity in common
-  bool keeps_manifold(int h)
+  bool keeps_manifold(int h) const
   {
     const int u = m_mesh.source(h), v = m_mesh.target(h);
     int common = 0;
-    m_mesh.for_each_outgoing(u, [&](int g) { m_seen_from[m_mesh.target(g)] = u; });
-    m_mesh.for_each_outgoing(v, [&](int g) { common += m_seen_from[m_mesh.target(g)] == u; });
-    m_mesh.for_each_outgoing(u, [&](int g) { m_seen_from[m_mesh.target(g)] = -1; });
+    m_mesh.for_each_outgoing(u, [&](int g) { common += is_edge(m_mesh.target(g), v); });
     const bool on_border = m_mesh.border_halfedge_from(u) >= 0 &&
                            m_mesh.border_halfedge_from(v) >= 0;
     return common + on_border == 2;
+  }
+
+  bool is_edge(int v, int w) const
+  {
+    return (m_degree[v] < m_degree[w] ? m_mesh.halfedge_between(v, w)
+                                      : m_mesh.halfedge_between(w, v)) >= 0;
   }
 
   // whether a new edge would join two curves
@@ -167,7 +192,7 @@ private:
 
   Curve_mesh& m_mesh;
   std::vector<char> m_is_held, m_on_curve; // per vertex
-  std::vector<int> m_seen_from;            // per vertex, scratch of `keeps_manifold`
+  std::vector<int> m_degree;               // per vertex, with the edge to infinity
   std::vector<int> m_lines;                // at the present vertex
   Point m_normal;                          // of the present vertex
 };

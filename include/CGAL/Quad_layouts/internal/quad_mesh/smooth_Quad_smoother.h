@@ -39,20 +39,20 @@ public:
   }
 
   // Relaxation carries vertices far, with cheap steps; shape optimization needs to do the rest
-  // only.
+  // only. Ends early if there is no more time.
   void run(int number_of_iterations, const Monitor& monitor)
   {
     const int n = number_of_iterations;
     Quad_untangler(m_quads, monitor).unfold();
-    for (int i = 0; i < 2 * n; ++i) {
-      monitor.report("smooth_quad_mesh", double(i) / (4 * n));
+    for (int i = 0; i < 2 * n && monitor.has_time("smooth_quad_mesh"); ++i) {
+      monitor.tell("smooth_quad_mesh", double(i) / (4 * n));
       sweep_unsettled([this](int v) { m_steps.relax(v); });
     }
-    for (int i = 0; i < n; ++i) {
-      monitor.report("smooth_quad_mesh", 0.5 + double(i) / (2 * n));
+    for (int i = 0; i < n && monitor.has_time("smooth_quad_mesh"); ++i) {
+      monitor.tell("smooth_quad_mesh", 0.5 + double(i) / (2 * n));
       sweep_unsettled([this](int v) { m_steps.improve_shape(v); });
     }
-    polish_worst();
+    polish_worst(monitor);
     Quad_untangler(m_quads, monitor).repair();
   }
 
@@ -88,7 +88,7 @@ private:
   }
 
   // optimizes angles near the worst quads again, with hardly any regard to lengths
-  void polish_worst()
+  void polish_worst(const Monitor& monitor)
   {
     constexpr double poor = 0.6, weak_spring = 0.05;
     for (int rings = 1; rings <= 3; ++rings) {
@@ -97,7 +97,7 @@ private:
         if (scaled_jacobian(m_quads.quad(f)) < poor)
           quads.push_back(f);
       const std::vector<int> region = m_quads.surroundings(quads, rings);
-      for (int i = 0; i < 20; ++i)
+      for (int i = 0; i < 20 && monitor.has_time("smooth_quad_mesh"); ++i)
         for (const int v : region)
           m_steps.improve_shape(v, weak_spring);
     }

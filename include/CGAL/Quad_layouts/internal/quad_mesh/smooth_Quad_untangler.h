@@ -178,7 +178,8 @@ private:
   {
     std::vector<int> treated;
     for (const std::vector<int>& group : groups(suspects, threshold)) {
-      m_monitor.check("smooth_quad_mesh");
+      if (!m_monitor.has_time("smooth_quad_mesh"))
+        break;
       const std::vector<int> region = m_quads.surroundings(group, rings), quads = quads_at(region);
       const Badness before = badness(quads, threshold);
       const std::vector<Surface_walk::Place> old = m_quads.places(region);

@@ -7,6 +7,8 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_INCUMBENT_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_INCUMBENT_H
 
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quantization/Loop_sum.h>
 #include <CGAL/Quad_layouts/internal/quantization/Validity.h>
 #include <CGAL/Quad_layouts/internal/quantization/dual_loops.h>
@@ -25,11 +27,11 @@ namespace internal {
 class Incumbent
 {
 public:
-  // `program` gets the cuts that are found
+  // `program` gets the cuts that are found; `monitor` ends what takes long
   Incumbent(const T_mesh& t_mesh, const Quantization_program& paper, const Dual_graph& graph,
-            Reduced_program& program)
-    : m_t_mesh(t_mesh), m_graph(graph), m_program(program), m_validity(t_mesh, paper, program),
-      m_search(graph)
+            Reduced_program& program, const Monitor& monitor)
+    : m_t_mesh(t_mesh), m_graph(graph), m_program(program), m_monitor(monitor),
+      m_validity(t_mesh, paper, program), m_search(graph)
   {
   }
 
@@ -41,15 +43,17 @@ public:
   int rounds() const { return m_rounds; }
 
   // finds a first solution, and says if there is one: a cheap sum of loops, or one in which all
-  // that can be separate is
+  // that can be separate is; throws if there is no time for it
   bool start()
   {
     Loop_sum sum(m_program);
     if (repair(sum))
       return true;
     for (int v = 0; v < m_program.number_of_variables(); ++v)
-      if (sum.values()[v] == 0)
+      if (sum.values()[v] == 0) {
+        m_monitor.check("quantize");
         sum.add(m_search.cheapest_loop({v}, m_program.cost));
+      }
     return accept(sum.values());
   }
 
@@ -67,7 +71,11 @@ public:
     Loop_sum sum(m_program);
     for (Loop& loop : dual_loops(m_t_mesh, m_graph, x))
       sum.add(std::move(loop));
-    return repair(sum);
+    try {
+      return repair(sum);
+    } catch (const Time_limit_exceeded&) {
+      return false;
+    }
   }
 
 private:
@@ -95,10 +103,14 @@ private:
   bool repair(Loop_sum& sum)
   {
     constexpr int most_rounds = 100;
+    const auto all = [this](const Reduced_program::Set& set) {
+      m_monitor.check("quantize");
+      return set;
+    };
     for (int round = 0; round < most_rounds; ++round) {
       const std::size_t cuts = m_program.cuts.size();
       sum.update_cuts();
-      sum.complete(m_program.cost, m_search, [](const Reduced_program::Set& set) { return set; });
+      sum.complete(m_program.cost, m_search, all);
       sum.prune([](std::size_t) { return 1.; });
       if (accept(sum.values()))
         return true;
@@ -111,6 +123,7 @@ private:
   const T_mesh& m_t_mesh;
   const Dual_graph& m_graph;
   Reduced_program& m_program;
+  const Monitor& m_monitor;
   Validity m_validity;
   Loop_search m_search;
   std::vector<int> m_x;

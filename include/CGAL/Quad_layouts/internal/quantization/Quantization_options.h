@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/read_wishes.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
+#include <CGAL/Quad_layouts/internal/running_time_limit.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
 namespace CGAL {
@@ -25,6 +26,8 @@ struct Quantization_options
   Quantization_wishes wishes;
   double seconds;
   double relative_gap;
+
+  static constexpr double default_seconds = 30;
 };
 
 // takes the options out of named parameters, and checks them
@@ -36,13 +39,11 @@ Quantization_options quantization_options(const T_mesh& t_mesh, const NamedParam
   const Deviation_limits limits = deviation_limits(t_mesh.surface(), np);
   const int least = choose_parameter(get_parameter(np, internal_np::minimum_valence), 3);
   const int most = choose_parameter(get_parameter(np, internal_np::maximum_valence), 8);
-  const double seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                          30.);
+  const double seconds = running_time_limit(np, Quantization_options::default_seconds);
   const double gap = choose_parameter(get_parameter(np, internal_np::relative_gap), 0.01);
 
   require_parameter(least >= 1 && least <= 4, "minimum_valence", least, "in 1 to 4");
   require_parameter(most >= 4, "maximum_valence", most, "at least 4");
-  require_parameter(seconds > 0, "maximum_running_time", seconds, "a number > 0");
   require_parameter(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
   return {{limits.tangent, 2 * limits.displacement, 4 - most, 4 - least},
           quantization_wishes(t_mesh, np),

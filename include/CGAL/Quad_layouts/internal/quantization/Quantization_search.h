@@ -52,11 +52,12 @@ public:
   Quantization_search(const T_mesh& t_mesh, const Quantization_options& options,
                       const Monitor& monitor)
     : m_t_mesh(t_mesh), m_options(options), m_monitor(monitor),
+      m_limited_monitor(monitor.limited_to(options.seconds)), m_timer(started_timer()),
       m_paper(build_quantization_program(t_mesh, options.demands, options.wishes)),
       m_graph(t_mesh, m_paper.zero_arcs()), m_program(reduce(t_mesh, m_paper, m_graph)),
-      m_incumbent(t_mesh, m_paper, m_graph, m_program), m_neighbourhoods(t_mesh, m_graph)
+      m_incumbent(t_mesh, m_paper, m_graph, m_program, m_limited_monitor),
+      m_neighbourhoods(t_mesh, m_graph)
   {
-    m_timer.start();
   }
 
   Quantization run()
@@ -78,6 +79,13 @@ public:
   }
 
 private:
+  static Real_timer started_timer()
+  {
+    Real_timer timer;
+    timer.start();
+    return timer;
+  }
+
   static constexpr int largest_factor = 1 << 16; // of the effort; ends the search of poor solvers
 
   bool is_proven() const
@@ -316,6 +324,7 @@ private:
   const T_mesh& m_t_mesh;
   const Quantization_options m_options;
   const Monitor& m_monitor;
+  const Monitor m_limited_monitor; // for work without which there is no result
   Real_timer m_timer;
   const Quantization_program m_paper;
   const Dual_graph m_graph;
