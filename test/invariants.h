@@ -151,9 +151,18 @@ inline double length_until(const T_mesh& t, const T_mesh::Visit& visit)
   return sum;
 }
 
+// what rounding may make of coordinates and lengths
+inline double tolerance_of(const T_mesh& t)
+{
+  double extent = 0;
+  for (const Eigen::Vector3d& p : t.surface().points())
+    extent = (std::max)(extent, p.norm());
+  return 1e-9 * extent;
+}
+
 inline void check_visits(const T_mesh& t)
 {
-  const double tolerance = 1e-9 * t.surface().diagonal();
+  const double tolerance = tolerance_of(t);
   BOOST_TEST(violations(t.number_of_vertices(), [&](int n) {
     for (const T_mesh::Visit& v : t.node_visits[n])
       if (t.target(2 * t.traces[v.trace].arcs[v.arcs - 1]) != n)
@@ -165,7 +174,7 @@ inline void check_visits(const T_mesh& t)
 
 inline void check_lengths(const T_mesh& t)
 {
-  const double tolerance = 1e-9 * t.surface().diagonal();
+  const double tolerance = tolerance_of(t);
   BOOST_TEST(violations(t.number_of_edges(), [&](int a) { return t.length(a) >= 0; }) == 0);
   BOOST_TEST(violations(t.number_of_edges(), [&](int a) {
     return (t.point(t.target(2 * a)) - t.point(t.source(2 * a))).norm() <= t.length(a) + tolerance;
@@ -238,7 +247,6 @@ inline void check_position_on_surface(const T_mesh& t)
   }) == 0);
 }
 
-// Checks that a traced T-mesh partitions its surface into four-cornered patches.
 // every crossing of an arc and an edge is listed by both
 inline void check_crossings(const T_mesh& t)
 {
@@ -259,6 +267,7 @@ inline void check_crossings(const T_mesh& t)
   BOOST_TEST(of_arcs == of_edges);
 }
 
+// checks that a traced T-mesh partitions its surface into four-cornered patches
 inline void check_t_mesh(const T_mesh& t)
 {
   check_crossings(t);

@@ -67,6 +67,7 @@ expect 2 "alpha needs a number" cube.off --alpha steep
 expect 2 "alpha needs a value" cube.off --alpha
 expect 2 "more than one input" cube.off cube.off
 expect 2 "unknown solver" cube.off --solver oracle
+expect 2 "time limit must be greater than 0" cube.off --time-limit 0
 expect 2 "maximum_deviation" cube.off --alpha 200 --quiet
 expect 0 "" --help
 
@@ -77,14 +78,37 @@ echo "no mesh" >broken.off
 expect 1 "cannot be read" broken.off
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 2 3\n3 1 2 3\n' >turned.off
 expect 1 "faces 0 and 2 .*vertex 0 to vertex 2.*orient_polygon_soup" turned.off
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 0 2\n' >twice.off
+expect 1 "faces 0 and 2 have the same vertices.*merge_duplicate_polygons" twice.off
+printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' >wings.off
+expect 1 "faces 0 and 1 and 1 more meet in the edge from vertex 0 to vertex 1" wings.off
+printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n' >bow_tie.off
+expect 1 "several fans of faces meet in vertex 0, one of them with face 1" bow_tie.off
+printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >square.off
+expect 1 "face 0 has 4 sides.*--repair.*triangulate_faces" square.off
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >flat.off
+expect 1 "face 0 .*has no area.*remove_degenerate_faces" flat.off
+printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n' >pinched.off
+expect 1 "face 1 has vertex 1 twice.*repair_polygon_soup" pinched.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >outside.off
+expect 1 "." outside.off
+printf 'OFF\n3 1 0\n0 0 0\n1e200 0 0\n0 1e200 0\n3 0 1 2\n' >huge.off
+expect 1 "too large" huge.off --quiet
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 nan\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' >nan.off
-expect 1 "." nan.off --quiet
+expect 1 "vertex 3 has a coordinate that is not a finite number|cannot be read" nan.off --quiet
 echo "1 0 0" >short.txt
 expect 1 "1 vectors for 768 faces" cube.off --field short.txt --quiet
 
 echo "x0 1" >wrong.sol
 expect 1 "opposite sides of patches are not equally long" cube.off --read-solution wrong.sol --quiet
 expect 1 "none.sol: no such file" cube.off --read-solution none.sol --quiet
+
+# the time limit is for everything
+cube 60 >fine.off
+start=$SECONDS
+expect 1 "not done within the time limit" fine.off --output late --time-limit 0.3
+[ $((SECONDS - start)) -le 5 ] || fail "--time-limit 0.3 took $((SECONDS - start)) seconds"
+[ ! -d late ] || fail "there are results of too little time"
 
 # a layout
 expect 0 "smooth" cube.off --output result --edge-length 0.05
@@ -109,6 +133,13 @@ grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 pat
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n' >open.off
 expect 0 "smooth" open.off --output open --edge-length 0.05
 grep -q '"borders": 1' open/stats.json || fail "stats.json does not say 1 border"
+
+# what is refused above, repaired
+for name in turned twice wings bow_tie square flat pinched; do
+  expect 0 "smooth" $name.off --repair --output repaired_$name --edge-length 0.1
+done
+grep -q '"borders": 0' repaired_turned/stats.json || fail "the tetrahedron is not closed"
+grep -q '"components": 2' repaired_bow_tie/stats.json || fail "the vertex is not duplicated"
 
 # the program for other solvers
 expect 0 "" cube.off --output result --edge-length 0.05 --write-program program.mps --quiet

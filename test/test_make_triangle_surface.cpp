@@ -57,7 +57,23 @@ void check_refused(const Points& points, const Triangles& triangles, const std::
                         });
 }
 
+Points scaled(Points points, double scale)
+{
+  for (QL::internal::Point& p : points)
+    p *= scale;
+  return points;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(scales_beyond_double_precision_are_refused)
+{
+  check_refused<QL::Unsuitable_scale>(scaled(tetrahedron_points, 1e70), tetrahedron,
+                                      "vertex 1 has a coordinate that is too large");
+  check_refused<QL::Unsuitable_scale>(scaled(tetrahedron_points, 1e-70), tetrahedron, "too small");
+  for (const double scale : {1e-50, 1e-6, 1e6, 1e50})
+    make_checked_surface(scaled(tetrahedron_points, scale), tetrahedron);
+}
 
 BOOST_AUTO_TEST_CASE(numbers_follow_the_mesh)
 {

@@ -68,18 +68,15 @@ inline void check_elements(const Polygon_soup& soup)
 class Manifold_check
 {
 public:
-  explicit Manifold_check(const std::vector<Polygon>& polygons) : m_polygons(polygons)
-  {
-    for (std::size_t f = 0; f < polygons.size(); ++f) {
-      check_corners(f);
-      for (std::size_t k = 0; k < polygons[f].size(); ++k)
-        m_sides[std::minmax(vertex(f, k), vertex(f, k + 1))].push_back({f, k});
-    }
-  }
+  explicit Manifold_check(const std::vector<Polygon>& polygons) : m_polygons(polygons) {}
 
   // throws if not, naming what is wrong
-  void operator()() const
+  void operator()()
   {
+    check_faces();
+    for (std::size_t f = 0; f < m_polygons.size(); ++f)
+      for (std::size_t k = 0; k < m_polygons[f].size(); ++k)
+        m_sides[std::minmax(vertex(f, k), vertex(f, k + 1))].push_back({f, k});
     for (const auto& [edge, sides] : m_sides)
       check_edge(edge, sides);
     check_vertices();
@@ -103,10 +100,23 @@ private:
     return "the edge from vertex " + name(edge.first) + " to vertex " + name(edge.second);
   }
 
-  void check_corners(std::size_t f) const
+  void check_faces() const
   {
-    Polygon corners = m_polygons[f];
-    std::sort(corners.begin(), corners.end());
+    std::map<Polygon, std::size_t> face_of;
+    for (std::size_t f = 0; f < m_polygons.size(); ++f) {
+      Polygon corners = m_polygons[f];
+      std::sort(corners.begin(), corners.end());
+      check_corners(f, corners);
+      const std::size_t g = face_of.emplace(std::move(corners), f).first->second;
+      if (g != f)
+        throw Input_error("the faces " + name(g) + " and " + name(f) + " have the same vertices" +
+                          repaired_by("merge_duplicate_polygons_in_polygon_soup"));
+    }
+  }
+
+  // takes the corners of face f in ascending order
+  void check_corners(std::size_t f, const Polygon& corners) const
+  {
     const auto twice = std::adjacent_find(corners.begin(), corners.end());
     if (corners.size() < 3)
       throw Input_error("face " + name(f) + " has " + name(corners.size()) + " sides" +
@@ -122,9 +132,6 @@ private:
       return;
     const std::size_t f = sides[0].face, g = sides[1].face;
     const std::string faces = "the faces " + name(f) + " and " + name(g);
-    if (is_same_face(f, g))
-      throw Input_error(faces + " have the same vertices" +
-                        repaired_by("merge_duplicate_polygons_in_polygon_soup"));
     if (sides.size() > 2)
       throw Input_error(faces + " and " + name(sides.size() - 2) + " more meet in " + name(edge) +
                         ", which is not manifold" + repaired_by("orient_polygon_soup"));
@@ -132,12 +139,6 @@ private:
       throw Input_error(faces + " run along " + name(edge) +
                         " in the same direction: they are not oriented alike" +
                         repaired_by("orient_polygon_soup"));
-  }
-
-  bool is_same_face(std::size_t f, std::size_t g) const
-  {
-    return std::is_permutation(m_polygons[f].begin(), m_polygons[f].end(), m_polygons[g].begin(),
-                               m_polygons[g].end());
   }
 
   // The corners at a vertex must be one fan: joined through the edges between them.

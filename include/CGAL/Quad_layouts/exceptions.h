@@ -79,6 +79,13 @@ public:
   using Invalid_mesh::Invalid_mesh;
 };
 
+/// says that a mesh is so large or so small that computations in double precision overflow or vanish.
+class Unsuitable_scale : public Invalid_mesh
+{
+public:
+  using Invalid_mesh::Invalid_mesh;
+};
+
 /// says that the value of a named parameter is outside its range.
 class Invalid_parameter : public Error
 {

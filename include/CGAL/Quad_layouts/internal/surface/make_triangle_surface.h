@@ -49,6 +49,17 @@ inline void check_points(const std::vector<Point>& points)
                            " has a coordinate that is not a finite number");
 }
 
+// Squares of areas, the highest powers that occur, are then far from the limits of double precision.
+inline void check_scale(const Triangle_surface& surface)
+{
+  constexpr double most = 1e60, least = 1e-60;
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    if (surface.point(v).lpNorm<Eigen::Infinity>() > most)
+      throw Unsuitable_scale("vertex " + std::to_string(v) + " has a coordinate that is too large");
+  if (surface.diagonal() < least)
+    throw Unsuitable_scale("the mesh is too small");
+}
+
 // decides exactly, for the given double coordinates, whether the corners of `t` are on a line
 inline bool has_no_area(const Triangle& t, const std::vector<Point>& points)
 {
@@ -143,6 +154,7 @@ inline Triangle_surface make_checked_surface(std::vector<Point> points,
   check_no_duplicate_face(triangles);
   check_edges(triangles);
   Triangle_surface surface(std::move(points), triangles);
+  check_scale(surface);
   check_vertices(surface);
   return surface;
 }
