@@ -191,17 +191,18 @@ inline void check_map(const QL::Integer_grid_map& map, const QL::Quad_layout& la
 }
 
 // the quad mesh has the topology of the surface and the patches of the layout, and lies on the surface
-inline void check_quads(const Mesh& mesh, const Results& r)
+inline void check_quads(const Task& task, const Results& r)
 {
   BOOST_TEST_REQUIRE(CGAL::is_valid_polygon_mesh(r.quads));
-  const QL::Quad_mesh_measures in = QL::measure_quad_mesh(mesh),
+  const QL::Quad_mesh_measures in = QL::measure_quad_mesh(task.mesh),
                                out = QL::measure_quad_mesh(r.quads);
   BOOST_TEST(out.non_quads == 0);
   BOOST_TEST(out.euler_characteristic == in.euler_characteristic);
   BOOST_TEST(out.components == in.components);
-  BOOST_TEST(number_of_borders(r.quads) == number_of_borders(mesh));
+  BOOST_TEST(number_of_borders(r.quads) == number_of_borders(task.mesh));
   BOOST_TEST(out.t_junctions == 0);
-  BOOST_TEST(out.patches == r.layout.number_of_patches);
+  if (task.sharp_angle == 180) // measures do not know feature curves
+    BOOST_TEST(out.patches == r.layout.number_of_patches);
   BOOST_TEST(out.irregular_vertices == r.layout.number_of_irregular_vertices());
 
   const auto& surface = r.field.surface();
@@ -266,7 +267,7 @@ inline bool run(Task& task, Results& r)
                         QL::parameters::edge_is_constrained_map(on_curve));
   QL::smooth_quad_mesh(r.quads, task.mesh, np.edge_is_constrained_map(on_curve),
                        QL::parameters::edge_is_constrained_map(task.is_feature));
-  check_quads(task.mesh, r);
+  check_quads(task, r);
   return true;
 }
 

@@ -174,8 +174,14 @@ inline void check_visits(const T_mesh& t)
 
 inline void check_lengths(const T_mesh& t)
 {
-  const double tolerance = tolerance_of(t);
   BOOST_TEST(violations(t.number_of_edges(), [&](int a) { return t.length(a) >= 0; }) == 0);
+}
+
+// No arc is shorter than the straight line. In needles, where rounding decides where chords cross, this
+// need not hold.
+inline void check_distances(const T_mesh& t)
+{
+  const double tolerance = tolerance_of(t);
   BOOST_TEST(violations(t.number_of_edges(), [&](int a) {
     return (t.point(t.target(2 * a)) - t.point(t.source(2 * a))).norm() <= t.length(a) + tolerance;
   }) == 0);

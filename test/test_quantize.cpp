@@ -257,6 +257,7 @@ BOOST_AUTO_TEST_CASE(refuses_parameters_out_of_range)
   BOOST_CHECK_THROW(QL::quantize(t, np.maximum_displacement(-1)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, parameters::target_edge_length(0)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.minimum_valence(5)), QL::Invalid_parameter);
+  BOOST_CHECK_THROW(QL::quantize(t, np.minimum_valence(1)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.maximum_valence(3)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.relative_gap(-0.1)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.maximum_running_time(0)), QL::Invalid_parameter);

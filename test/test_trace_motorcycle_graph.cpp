@@ -95,6 +95,7 @@ QL::T_mesh trace(const QL::Cross_field& field, double alpha, double r)
   const QL::T_mesh t = QL::trace_motorcycle_graph(
     field, parameters::maximum_deviation(alpha).maximum_displacement(r));
   invariants::check_t_mesh(t);
+  invariants::check_distances(t);
   return t;
 }
 

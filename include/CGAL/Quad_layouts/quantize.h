@@ -80,7 +80,7 @@ whole search the limit itself, which is usual above about one hundred singularit
                           valence remain if they do not merge}
     \cgalParamType{int}
     \cgalParamDefault{`3`}
-    \cgalParamExtra{It must be in 1 to 4.}
+    \cgalParamExtra{It must be in 2 to 4.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_valence}
     \cgalParamDescription{the greatest number of edges at a layout vertex; singularities of higher

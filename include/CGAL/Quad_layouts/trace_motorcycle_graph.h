@@ -50,8 +50,8 @@ fixed lines inside of the surface count as traces that start at both their ends.
 without corners get a seed.
 
 Where the field turns too fast for its triangles, the index of a singularity may appear at a
-neighbor of its vertex, and vertices at which no line would start (index 4 and more) share their
-index with their neighbors. The indices in the T-mesh are those that the traces obey; their sum is
+neighbor of its vertex, and vertices at which no line would start (index 4 and more), or only one,
+which no quad mesh has, share their index with their neighbors. The indices in the T-mesh are those that the traces obey; their sum is
 four times the Euler characteristic.
 
 @tparam NamedParameters a sequence of named parameters

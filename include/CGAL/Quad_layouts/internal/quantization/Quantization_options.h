@@ -42,7 +42,7 @@ Quantization_options quantization_options(const T_mesh& t_mesh, const NamedParam
   const double seconds = running_time_limit(np, Quantization_options::default_seconds);
   const double gap = choose_parameter(get_parameter(np, internal_np::relative_gap), 0.01);
 
-  require_parameter(least >= 1 && least <= 4, "minimum_valence", least, "in 1 to 4");
+  require_parameter(least >= 2 && least <= 4, "minimum_valence", least, "in 2 to 4");
   require_parameter(most >= 4, "maximum_valence", most, "at least 4");
   require_parameter(gap >= 0 && gap <= 1, "relative_gap", gap, "in 0 to 1");
   return {{limits.tangent, 2 * limits.displacement, 4 - most, 4 - least},

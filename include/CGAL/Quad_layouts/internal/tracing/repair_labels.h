@@ -21,14 +21,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes all faces valid and all valences positive, 2 or more wherever the field has them, by a min-conflicts search that starts from
-// labels that are valid nearly everywhere: again and again, the cheapest change of a label near a
-// bad face or vertex.
+// Makes all faces valid and all valences at least 2, by a min-conflicts search that starts from labels
+// that are valid nearly everywhere: again and again, the cheapest change of a label near a bad face or
+// vertex.
 //
 // A label that changes on both sides of its edge keeps the matching. As long as faces are valid, it
 // then keeps the valences, too. A label that changes on one side moves a quarter of index from one
-// end of the edge to the other; this is how vertices of valence 0 and less, around which lines can
-// only spiral, share their index with neighbours.
+// end of the edge to the other; this is how vertices of valence 1, which quad meshes do not have, and of
+// valence 0 and less, around which lines can only spiral, share their index with neighbours.
 class Label_repair
 {
 public:
@@ -67,9 +67,8 @@ private:
     bool both_sides;    // and to that of the opposite halfedge
   };
 
-  // No quad mesh has a vertex of valence 1: it has to be one of the field itself.
-  int least_valence(int v) const { return m_field.index(v) > 2 ? 1 : 2; }
-  bool is_bad_vertex(int v) const { return m_labels.valence(v) < least_valence(v); }
+  static constexpr int least_valence = 2; // of vertices of quad meshes
+  bool is_bad_vertex(int v) const { return m_labels.valence(v) < least_valence; }
   // a suspect is a corner: its face or its vertex may be bad
   bool is_bad(int h) const
   {
@@ -152,7 +151,7 @@ private:
   double vertex_cost(int v) const
   {
     const int valence = m_labels.valence(v);
-    return 8 * (std::max)(least_valence(v) - valence, 0) + (m_labels.index(v) != m_field.index(v) ? 2 : 0);
+    return 8 * (std::max)(least_valence - valence, 0) + (m_labels.index(v) != m_field.index(v) ? 2 : 0);
   }
   double label_cost(int h) const
   {
