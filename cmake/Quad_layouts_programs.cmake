@@ -14,9 +14,13 @@ function(quad_layouts_compile_strictly target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Werror)
 endfunction()
 
-# Adds the program `name`, made of `name`.cpp.
+# Adds the program `name`, made of `name`.cpp or of another source that is given.
 function(quad_layouts_add_program name)
-  add_executable(${name} ${name}.cpp)
+  set(source ${ARGN})
+  if(NOT source)
+    set(source ${name}.cpp)
+  endif()
+  add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE CGAL::Quad_layouts_GLPK)
   if(CGAL_DATA_DIR)
     target_compile_definitions(${name} PRIVATE CGAL_DATA_DIR="${CGAL_DATA_DIR}")

@@ -52,8 +52,8 @@ struct Task
   double edge_length = 0.05; // of the diagonal
   int minimum_valence = 3;
   int maximum_valence = 8;
-  double seconds = 1;        // of the search
-  double time_limit = 20;    // of each stage
+  double seconds = 1;        // for what is the better the longer it takes: search and smoothing
+  double time_limit = 30;    // of each of the other stages
 
   explicit Task(Mesh m) : mesh(std::move(m))
   {
@@ -265,7 +265,8 @@ inline bool run(Task& task, Results& r)
   const auto on_curve = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_curve").first;
   QL::extract_quad_mesh(r.map, r.layout, r.quads,
                         QL::parameters::edge_is_constrained_map(on_curve));
-  QL::smooth_quad_mesh(r.quads, task.mesh, np.edge_is_constrained_map(on_curve),
+  QL::smooth_quad_mesh(r.quads, task.mesh,
+                       np.edge_is_constrained_map(on_curve).maximum_running_time(task.seconds),
                        QL::parameters::edge_is_constrained_map(task.is_feature));
   check_quads(task, r);
   return true;

@@ -261,7 +261,7 @@ inline Task random_task(unsigned seed)
   }
   task.deviation = dice.real(1, 60);
   task.displacement = dice.happens(0.2) ? 0 : dice.real(0, 8);
-  task.edge_length = std::pow(10., dice.real(-1.7, -0.5));
+  task.edge_length = std::pow(10., dice.real(-1.5, -0.5));
   if (dice.happens(0.3)) {
     task.minimum_valence = dice.integer(2, 4);
     task.maximum_valence = dice.integer(4, 12);

@@ -20,6 +20,7 @@
 
 #include <boost/test/results_collector.hpp>
 
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <string>
@@ -57,7 +58,107 @@ std::string outcome(Task& task)
   }
 }
 
+Mesh scaled(Mesh mesh, double scale)
+{
+  random_tasks::change_points(mesh, [&](const generated::Vector& p) { return scale * p; });
+  return mesh;
+}
+
+// takes a mesh through all stages with its own smooth field
+void check_valid(const std::string& name, const Mesh& mesh)
+{
+  BOOST_TEST_CONTEXT(name)
+  {
+    Task task(mesh);
+    BOOST_TEST(outcome(task) == "valid");
+  }
+}
+
+// takes a mesh through all stages with a field that has a given direction in each face: by its angle
+// to circles around the z-axis, as a function of the face's centre
+template <class Angle>
+void check_valid(const std::string& name, const Mesh& mesh, const Angle& angle)
+{
+  const QL::Cross_field field = generated::field_along(
+      mesh, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p.y(), p.x(), 0); }, angle);
+  BOOST_TEST_CONTEXT(name)
+  {
+    Task task(mesh);
+    for (int f = 0; f < field.surface().number_of_faces(); ++f)
+      task.directions.push_back(field.direction(f, 0));
+    BOOST_TEST(outcome(task) == "valid");
+  }
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(smallest_surfaces)
+{
+  check_valid("triangle", generated::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  check_valid("square", generated::plate({{0, 0}}, 1));
+  check_valid("tetrahedron", generated::tetrahedron());
+  check_valid("cube of 12 triangles", generated::cube(1));
+  check_valid("torus of 18 triangles", generated::torus(3, 3));
+  check_valid("annulus of 6 triangles", generated::annulus(0.5, 1, 1, 3));
+}
+
+BOOST_AUTO_TEST_CASE(many_components_of_uneven_scales)
+{
+  Mesh all = generated::icosphere(2);
+  int i = 0;
+  for (const Mesh& mesh : {generated::torus(12, 8), generated::tetrahedron(), generated::cube(1),
+                           generated::plate({{0, 0}}, 1), generated::disc(4),
+                           generated::annulus(0.5, 1, 2, 12), generated::slab_with_holes(2, 1)})
+    for (const double scale : {1e-3, 1., 100.})
+      all = generated::disjoint_union(
+          all, generated::translated(scaled(mesh, scale), {7. * ++i, 0, 0}));
+  check_valid("22 components", all);
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes)
+{
+  const Mesh mesh = generated::slab_with_holes(1, 2);
+  for (const double scale : {1e-6, 1e6})
+    check_valid("scale " + std::to_string(scale), scaled(mesh, scale));
+  check_valid("far away", generated::translated(mesh, {1e6, -1e6, 1e6}));
+  check_valid("small and far away", generated::translated(scaled(mesh, 1e-3), {1e5, 0, 0}));
+}
+
+BOOST_AUTO_TEST_CASE(bad_triangles)
+{
+  random_tasks::Dice dice(1);
+  Mesh needles = generated::cube(4);
+  random_tasks::divide_faces(needles, dice, 100);
+  check_valid("needles and caps", needles);
+  Mesh needle = generated::icosphere(3);
+  random_tasks::change_points(needle, [](const generated::Vector& p) {
+    return generated::Vector(1e-3 * p.x(), 1e-3 * p.y(), p.z());
+  });
+  check_valid("a surface that is a needle itself", needle);
+  check_valid("surface that intersects itself",
+              generated::noisy(generated::icosphere(2), 0.3, 1));
+  check_valid("components that intersect",
+              generated::disjoint_union(generated::icosphere(2),
+                                        generated::translated(generated::cube(2), {0.1, 0, 0})));
+  check_valid("components in the same place",
+              generated::disjoint_union(generated::cube(2), generated::cube(2)));
+}
+
+BOOST_AUTO_TEST_CASE(fields_that_cannot_be_integrated)
+{
+  const Mesh torus = generated::torus(40, 20);
+  const auto limit_cycles = [](const Eigen::Vector3d& p) { return 0.3 * p.z(); };
+  check_valid("limit cycles", torus, limit_cycles);
+  check_valid("spirals", torus, [](const Eigen::Vector3d&) { return 0.1; });
+  check_valid("spirals into the poles of a sphere", generated::icosphere(3), limit_cycles);
+  check_valid("spirals on an annulus", generated::annulus(0.2, 1, 8, 40),
+              [](const Eigen::Vector3d& p) { return 0.5 * p.norm(); });
+  // No quad mesh of a torus has one vertex of valence 3 and one of valence 5 only.
+  check_valid("3-5 pair", torus, [](const Eigen::Vector3d& p) {
+    const double u = std::atan2(p.y(), p.x()), v = std::atan2(p.z(), std::hypot(p.x(), p.y()) - 2);
+    return (std::atan2(v, u - 0.3) - std::atan2(v, u + 0.3)) / 4;
+  });
+}
 
 BOOST_AUTO_TEST_CASE(random_inputs)
 {
