@@ -140,7 +140,8 @@ inline void perforate(Mesh& mesh, Dice& dice, int holes)
   }
 }
 
-// divides faces in three, close to a corner, a side or the middle: makes needles and caps
+// divides faces in three, close to a corner, a side or the middle: makes needles and caps, but none
+// without area
 inline void divide_faces(Mesh& mesh, Dice& dice, int times)
 {
   for (; times > 0; --times) {
@@ -149,12 +150,15 @@ inline void divide_faces(Mesh& mesh, Dice& dice, int times)
     double sum = 0;
     for (double& w : weight)
       sum += w = std::pow(10., -dice.integer(0, 9));
-    Vector p(0, 0, 0);
+    Point center = CGAL::ORIGIN;
     int k = 0;
     for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
-      p += weight[k++] / sum * (mesh.point(v) - CGAL::ORIGIN);
-    mesh.point(mesh.target(CGAL::Euler::add_center_vertex(mesh.halfedge(f), mesh))) = CGAL::ORIGIN +
-                                                                                      p;
+      center += weight[k++] / sum * (mesh.point(v) - CGAL::ORIGIN);
+    const auto sides = halfedges_around_face(mesh.halfedge(f), mesh);
+    if (std::none_of(sides.begin(), sides.end(), [&](auto h) {
+          return CGAL::collinear(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), center);
+        }))
+      mesh.point(mesh.target(CGAL::Euler::add_center_vertex(mesh.halfedge(f), mesh))) = center;
   }
 }
 

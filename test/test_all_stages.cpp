@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(smallest_surfaces)
   check_valid("square", generated::plate({{0, 0}}, 1));
   check_valid("tetrahedron", generated::tetrahedron());
   check_valid("cube of 12 triangles", generated::cube(1));
-  check_valid("torus of 18 triangles", generated::torus(3, 3));
+  check_valid("torus of 40 triangles", generated::torus(5, 4));
   check_valid("annulus of 6 triangles", generated::annulus(0.5, 1, 1, 3));
 }
 

@@ -21,8 +21,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -73,25 +74,36 @@ public:
   // throws if not, naming what is wrong
   void operator()()
   {
-    check_faces();
-    for (std::size_t f = 0; f < m_polygons.size(); ++f)
+    for (std::size_t f = 0; f < m_polygons.size(); ++f) {
+      check_corners(f);
       for (std::size_t k = 0; k < m_polygons[f].size(); ++k)
-        m_sides[std::minmax(vertex(f, k), vertex(f, k + 1))].push_back({f, k});
-    for (const auto& [edge, sides] : m_sides)
-      check_edge(edge, sides);
+        m_sides.push_back({std::minmax(vertex(f, k), vertex(f, k + 1)), f, k});
+    }
+    std::sort(m_sides.begin(), m_sides.end());
+    for_each_edge([this](Side_iterator first, Side_iterator last) { check_edge(first, last); });
     check_vertices();
   }
 
 private:
+  using Edge = std::pair<std::size_t, std::size_t>;
   struct Side
   {
+    Edge edge;
     std::size_t face, number;
+    friend bool operator<(const Side& a, const Side& b)
+    {
+      return std::tie(a.edge, a.face, a.number) < std::tie(b.edge, b.face, b.number);
+    }
   };
-  using Edge = std::pair<std::size_t, std::size_t>;
+  using Side_iterator = std::vector<Side>::const_iterator;
 
   std::size_t vertex(std::size_t f, std::size_t k) const
   {
     return m_polygons[f][k % m_polygons[f].size()];
+  }
+  bool begins_at(const Side& side, std::size_t v) const
+  {
+    return vertex(side.face, side.number) == v;
   }
 
   static std::string name(std::size_t f) { return std::to_string(f); }
@@ -100,23 +112,10 @@ private:
     return "the edge from vertex " + name(edge.first) + " to vertex " + name(edge.second);
   }
 
-  void check_faces() const
+  void check_corners(std::size_t f) const
   {
-    std::map<Polygon, std::size_t> face_of;
-    for (std::size_t f = 0; f < m_polygons.size(); ++f) {
-      Polygon corners = m_polygons[f];
-      std::sort(corners.begin(), corners.end());
-      check_corners(f, corners);
-      const std::size_t g = face_of.emplace(std::move(corners), f).first->second;
-      if (g != f)
-        throw Input_error("the faces " + name(g) + " and " + name(f) + " have the same vertices" +
-                          repaired_by("merge_duplicate_polygons_in_polygon_soup"));
-    }
-  }
-
-  // takes the corners of face f in ascending order
-  void check_corners(std::size_t f, const Polygon& corners) const
-  {
+    Polygon corners = m_polygons[f];
+    std::sort(corners.begin(), corners.end());
     const auto twice = std::adjacent_find(corners.begin(), corners.end());
     if (corners.size() < 3)
       throw Input_error("face " + name(f) + " has " + name(corners.size()) + " sides" +
@@ -126,19 +125,42 @@ private:
                         repaired_by("repair_polygon_soup"));
   }
 
-  void check_edge(const Edge& edge, const std::vector<Side>& sides) const
+  // calls `visit` for the first side of each edge and the one behind its last
+  template <class Visit>
+  void for_each_edge(const Visit& visit) const
   {
-    if (sides.size() == 1)
+    for (Side_iterator first = m_sides.begin(), last; first != m_sides.end(); first = last) {
+      last = std::find_if(first, m_sides.end(),
+                          [&](const Side& side) { return side.edge != first->edge; });
+      visit(first, last);
+    }
+  }
+
+  void check_edge(Side_iterator first, Side_iterator last) const
+  {
+    const std::size_t f = first->face;
+    for (Side_iterator other = first + 1; other != last; ++other)
+      if (is_same_face(f, other->face))
+        throw Input_error("the faces " + name(f) + " and " + name(other->face) +
+                          " have the same vertices" +
+                          repaired_by("merge_duplicate_polygons_in_polygon_soup"));
+    if (last - first == 1)
       return;
-    const std::size_t f = sides[0].face, g = sides[1].face;
-    const std::string faces = "the faces " + name(f) + " and " + name(g);
-    if (sides.size() > 2)
-      throw Input_error(faces + " and " + name(sides.size() - 2) + " more meet in " + name(edge) +
-                        ", which is not manifold" + repaired_by("orient_polygon_soup"));
-    if (vertex(f, sides[0].number) == vertex(g, sides[1].number))
-      throw Input_error(faces + " run along " + name(edge) +
+    const std::string faces = "the faces " + name(f) + " and " + name((first + 1)->face);
+    if (last - first > 2)
+      throw Input_error(faces + " and " + name(std::size_t(last - first - 2)) + " more meet in " +
+                        name(first->edge) + ", which is not manifold" +
+                        repaired_by("orient_polygon_soup"));
+    if (begins_at(*first, first->edge.first) == begins_at(*(first + 1), first->edge.first))
+      throw Input_error(faces + " run along " + name(first->edge) +
                         " in the same direction: they are not oriented alike" +
                         repaired_by("orient_polygon_soup"));
+  }
+
+  bool is_same_face(std::size_t f, std::size_t g) const
+  {
+    return std::is_permutation(m_polygons[f].begin(), m_polygons[f].end(), m_polygons[g].begin(),
+                               m_polygons[g].end());
   }
 
   // The corners at a vertex must be one fan: joined through the edges between them.
@@ -151,23 +173,24 @@ private:
       for (const std::size_t v : m_polygons[f])
         corners[f].push_back(fans.make_set(v));
     const auto corner = [&](const Side& side, std::size_t v) {
-      const bool is_source = vertex(side.face, side.number) == v;
-      return corners[side.face][(side.number + (is_source ? 0 : 1)) % corners[side.face].size()];
+      const std::size_t k = side.number + (begins_at(side, v) ? 0 : 1);
+      return corners[side.face][k % corners[side.face].size()];
     };
-    for (const auto& [edge, sides] : m_sides)
-      for (const std::size_t v : {edge.first, edge.second})
-        fans.unify_sets(corner(sides.front(), v), corner(sides.back(), v));
-    std::map<std::size_t, Fans::handle> fan_of; // per vertex
+    for_each_edge([&](Side_iterator first, Side_iterator last) {
+      for (const std::size_t v : {first->edge.first, first->edge.second})
+        fans.unify_sets(corner(*first, v), corner(*(last - 1), v));
+    });
+    std::unordered_map<std::size_t, Fans::handle> fan_of; // per vertex
     for (std::size_t f = 0; f < m_polygons.size(); ++f)
-      for (std::size_t k = 0; k < m_polygons[f].size(); ++k)
-        if (!fans.same_set(fan_of.emplace(vertex(f, k), corners[f][k]).first->second, corners[f][k]))
-          throw Input_error("several fans of faces meet in vertex " + name(vertex(f, k)) +
+      for (const Fans::handle& c : corners[f])
+        if (!fans.same_set(fan_of.emplace(*c, c).first->second, c))
+          throw Input_error("several fans of faces meet in vertex " + name(*c) +
                             ", one of them with face " + name(f) +
                             repaired_by("orient_polygon_soup"));
   }
 
   const std::vector<Polygon>& m_polygons;
-  std::map<Edge, std::vector<Side>> m_sides;
+  std::vector<Side> m_sides; // sorted by edge
 };
 
 // makes oriented manifold triangles of polygons: merges what is twice, duplicates vertices where the
