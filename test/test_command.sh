@@ -75,7 +75,13 @@ expect 0 "" --help
 expect 1 "no such file" absent.off
 expect 1 "unknown format" cube.xyz
 echo "no mesh" >broken.off
-expect 1 "cannot be read" broken.off
+expect 1 "does not begin with OFF" broken.off
+printf 'OFF\n1000000000000 1 0\n0 0 0\n' >short.off
+expect 1 "too short for 1000000000000 of vertices" short.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n' >letters.off
+expect 1 "cannot be read" letters.off
+printf 'ply\nformat ascii 1.0\nproperty float x\nelement vertex 0\nend_header\n' >order.ply
+expect 1 "property before the first element" order.ply
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 2 3\n3 1 2 3\n' >turned.off
 expect 1 "faces 0 and 2 .*vertex 0 to vertex 2.*orient_polygon_soup" turned.off
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 0 2\n' >twice.off

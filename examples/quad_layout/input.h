@@ -7,6 +7,7 @@
 #ifndef QUAD_LAYOUTS_EXAMPLES_INPUT_H
 #define QUAD_LAYOUTS_EXAMPLES_INPUT_H
 
+#include "file_header.h"
 #include "polygon_soup.h"
 
 #include <CGAL/Quad_layouts/exceptions.h>
@@ -35,8 +36,12 @@ inline Polygon_soup read_soup(const std::string& file)
   const std::string extension = extension_of(file);
   if (extension != ".off" && extension != ".obj" && extension != ".ply" && extension != ".stl")
     throw Input_error("unknown format \"" + extension + "\", known are .off .obj .ply .stl");
-  if (!std::filesystem::exists(file))
+  if (!std::filesystem::is_regular_file(file))
     throw Input_error("no such file");
+  if (extension == ".off")
+    File_header(file).check_off();
+  if (extension == ".ply")
+    File_header(file).check_ply();
   Polygon_soup soup;
   if (!CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons))
     throw Input_error("cannot be read as a mesh");
