@@ -84,10 +84,9 @@ public:
 private:
   // of neighbourhoods
   enum Kind { SINGULARITY, SINGULARITY_ON_SUPPORT, LOOP, LOOP_ON_SUPPORT, WITHOUT_LOOPS };
-  static constexpr std::array<Kind, 8> kinds{SINGULARITY,            WITHOUT_LOOPS,
-                                             SINGULARITY_ON_SUPPORT, WITHOUT_LOOPS,
-                                             LOOP,                   WITHOUT_LOOPS,
-                                             LOOP_ON_SUPPORT,        WITHOUT_LOOPS};
+  static constexpr std::array<Kind, 8> kinds{SINGULARITY,     WITHOUT_LOOPS, SINGULARITY_ON_SUPPORT,
+                                             WITHOUT_LOOPS,   LOOP,          WITHOUT_LOOPS,
+                                             LOOP_ON_SUPPORT, WITHOUT_LOOPS};
 
   static constexpr int largest_factor = 1 << 16; // of the effort; ends the search of poor solvers
   // of the time that is left for one of many searches, so that none takes it from the others

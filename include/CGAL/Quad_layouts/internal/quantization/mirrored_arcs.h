@@ -256,8 +256,8 @@ private:
       if (is_fixed(r))
         beginning[{start(r), surface.edge(first_halfedge(r))}] = r;
     for (const auto& [key, run] : beginning) {
-      const auto image = beginning.find({m_symmetry.vertex_image(key.first),
-                                         m_symmetry.edge_image(first_halfedge(run))});
+      const auto image = beginning.find(
+          {m_symmetry.vertex_image(key.first), m_symmetry.edge_image(first_halfedge(run))});
       if (image != beginning.end())
         m_image[run] = image->second;
     }
