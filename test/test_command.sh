@@ -67,6 +67,7 @@ expect 2 "alpha needs a number" cube.off --alpha steep
 expect 2 "alpha needs a value" cube.off --alpha
 expect 2 "more than one input" cube.off cube.off
 expect 2 "unknown solver" cube.off --solver oracle
+expect 2 "unknown field method" cube.off --field-method guess
 expect 2 "maximum_deviation" cube.off --alpha 200 --quiet
 expect 0 "" --help
 
@@ -104,6 +105,10 @@ for key in input vertices faces euler components borders singularities_in singul
   grep -q "\"$key\":" result/stats.json || fail "stats.json has no $key"
 done
 grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 patches"
+
+# the other method for the field
+expect 0 "" cube.off --output rounded --edge-length 0.05 --field-method mixed-integer --quiet
+grep -q '"singularities_in": 8,' rounded/stats.json || fail "a rounded field on a cube has 8 singularities"
 
 # a surface with a border
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n' >open.off

@@ -137,7 +137,10 @@ template <class EdgeMap>
 QL::Cross_field field_of(Mesh& mesh, const Options& options, const EdgeMap& features,
                          Progress& progress)
 {
-  const auto np = QL::parameters::visitor(std::ref(progress)).edge_is_constrained_map(features);
+  const auto np = QL::parameters::visitor(std::ref(progress))
+                      .edge_is_constrained_map(features)
+                      .cross_field_method(options.field_method == "mixed-integer" ? QL::MIXED_INTEGER
+                                                                                  : QL::DIFFUSION);
   if (options.field.empty())
     return QL::compute_cross_field(mesh, np);
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
