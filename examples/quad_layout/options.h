@@ -24,6 +24,7 @@ struct Options
   std::string input;
   std::string output = ".";
   std::string field;           // a file, or empty; so are these:
+  std::string written_field;
   std::string program;         // to write
   std::string solution;        // to read
   std::string solver = "glpk"; // or "cbc" or "highs"
@@ -44,7 +45,8 @@ inline const char* usage()
   return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
          "                         [--solver NAME] [--time-limit S] [--field FILE]\n"
-         "                         [--field-method NAME] [--features DEG]\n"
+         "                         [--field-method NAME] [--write-field FILE]\n"
+         "                         [--features DEG]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
          "Computes a simple quad layout of a triangle mesh, and a quad mesh on it.\n"
@@ -58,8 +60,10 @@ inline const char* usage()
          "  --max-valence N        greatest valence of a vertex (8)\n"
          "  --solver NAME          of the integer program: glpk, cbc or highs (glpk)\n"
          "  --time-limit S         for the integer program, in seconds (30)\n"
-         "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
+         "  --field FILE           a cross field: .rosy, .rawfield or .ffield, or else a line \"x y z\"\n"
+         "                         for each face\n"
          "  --field-method NAME    of smooth fields: diffusion or mixed-integer (diffusion)\n"
+         "  --write-field FILE     where to write the field, as .rosy, .rawfield or .ffield\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"
          "  --write-program FILE   where to write the integer program, in MPS format\n"
          "  --read-solution FILE   a solution of that program, used instead of solving it\n"
@@ -131,6 +135,7 @@ inline Options parse(int argc, char* argv[])
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
       {"--field-method", text(result.field_method)},
+      {"--write-field", text(result.written_field)},
       {"--features", real(result.features)},
       {"--write-program", text(result.program)},
       {"--read-solution", text(result.solution)},

@@ -41,10 +41,10 @@ public:
     for (int s = 0; s < springs.number_of_springs(); ++s)
       active[s] = springs.is_spring(s);
     m_solver.factorize(active);
+    // a pull is weak: its share is hardly more than 0, and not worth the time
     for (int s = 0; s < springs.number_of_springs(); ++s)
       if (springs.is_pull(s))
-        m_is_exact[s] =
-            1; // a pull is weak: its share is hardly more than 0, and not worth the time
+        m_is_exact[s] = 1;
       else if (springs.is_spring(s))
         m_share_bound[s] = share_bound(s);
   }
