@@ -9,7 +9,7 @@
 
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/internal/field/matching.h>
-#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
+#include <CGAL/Quad_layouts/internal/surface/Split_faces.h>
 
 #include <cmath>
 #include <ostream>

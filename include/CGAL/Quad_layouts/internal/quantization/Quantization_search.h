@@ -189,7 +189,7 @@ private:
       if (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0)
         continue;
       if (everything.covers_are_soft || m_program.index_rows_are_soft || is_done() ||
-          m_bound - previous < least_gain * m_bound)
+          m_bound - previous <= least_gain * m_bound)
         return;
       previous = m_bound;
       solution.x.insert(solution.x.end(), solution.indicators.begin(), solution.indicators.end());
