@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Chord_splitter.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Reduced_newton.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
@@ -27,11 +28,12 @@ namespace Quad_layouts {
 
 namespace internal {
 
-inline Seamless_parametrization seamless_parametrization(const Cross_field& field,
+inline Seamless_parametrization seamless_parametrization(const Cross_field& given,
                                                          double edge_length, int most_steps,
                                                          const Monitor& monitor)
 {
   constexpr double barrier = 0.1;
+  const Cross_field field = Chord_splitter(given).split();
   const Cut_graph cut(field);
   const Seam_constraints seams(field.surface(), cut);
   Aligned_energy energy(field.surface(), cut, seams, edge_length);
@@ -58,7 +60,8 @@ The surface is cut open to discs along a graph through all singularities. A map 
 minimises the deviation of its Jacobians from the directions of the field and the target edge length (Bommes,
 Zimmer and Kobbelt, <em>Mixed-integer quadrangulation</em>, 2009), such that both sides of each cut are
 equal up to quarter-turns and translations. These are real, not rounded to integers: the parametrization
-is seamless, but no integer-grid map. Fixed edges of the field's surface get a constant coordinate. Then
+is seamless, but no integer-grid map. Fixed edges of the field's surface get a constant coordinate; other edges between two vertices at fixed
+edges, which would become part of the same line, are divided on the surface of the result. Then
 inverted triangles are turned back by the regularized distortion of Garanzha et al., <em>Foldover-free maps in
 50 lines of code</em>, 2021, over the free unknowns of the seamless maps, so that the map stays seamless.
 At last coordinates are rounded to integer multiples of a power of two that satisfy all relations exactly
