@@ -151,8 +151,9 @@ private:
     return m_share_bound[s];
   }
 
-  // An upper bound of the share of s, which is no pull, by Rayleigh's monotonicity law: of all other springs it takes only
-  // those around either end of the edge, which are two parallel paths from face to face.
+  // An upper bound of the share of s, which is no pull, by Rayleigh's monotonicity law: of all other
+  // springs it takes only those around either end of the edge, which are two parallel paths from face
+  // to face.
   double share_bound(int s) const
   {
     double conductance = 0;
