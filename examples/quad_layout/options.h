@@ -24,9 +24,11 @@ struct Options
   std::string input;
   std::string output = ".";
   std::string field;           // a file, or empty; so are these:
+  std::string written_field;
   std::string program;         // to write
   std::string solution;        // to read
   std::string solver = "glpk"; // or "cbc" or "highs"
+  std::string field_method = "diffusion"; // or "mixed-integer"
   double alpha = 15;           // degrees
   double displacement = 2;     // target edge lengths
   double edge_length = 0.01;   // of the diagonal of the bounding box
@@ -43,6 +45,7 @@ inline const char* usage()
   return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
          "                         [--solver NAME] [--time-limit S] [--field FILE]\n"
+         "                         [--field-method NAME] [--write-field FILE]\n"
          "                         [--features DEG]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
@@ -57,7 +60,10 @@ inline const char* usage()
          "  --max-valence N        greatest valence of a vertex (8)\n"
          "  --solver NAME          of the integer program: glpk, cbc or highs (glpk)\n"
          "  --time-limit S         for the integer program, in seconds (30)\n"
-         "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
+         "  --field FILE           a cross field: .rosy, .rawfield or .ffield, or else a line \"x y z\"\n"
+         "                         for each face\n"
+         "  --field-method NAME    of smooth fields: diffusion or mixed-integer (diffusion)\n"
+         "  --write-field FILE     where to write the field, as .rosy, .rawfield or .ffield\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"
          "  --write-program FILE   where to write the integer program, in MPS format\n"
          "  --read-solution FILE   a solution of that program, used instead of solving it\n"
@@ -128,6 +134,8 @@ inline Options parse(int argc, char* argv[])
       {"--solver", text(result.solver)},
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
+      {"--field-method", text(result.field_method)},
+      {"--write-field", text(result.written_field)},
       {"--features", real(result.features)},
       {"--write-program", text(result.program)},
       {"--read-solution", text(result.solution)},
@@ -153,6 +161,9 @@ inline Options parse(int argc, char* argv[])
   if (result.input.empty() && !result.help)
     throw Usage_error("no input");
   check_solver(result.solver);
+  if (result.field_method != "diffusion" && result.field_method != "mixed-integer")
+    throw Usage_error("unknown field method " + result.field_method +
+                      ": there are diffusion and mixed-integer");
   if (result.features < 0 || result.features > 180)
     throw Usage_error("--features needs an angle from 0 to 180 degrees");
   return result;

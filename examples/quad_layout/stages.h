@@ -137,10 +137,23 @@ template <class EdgeMap>
 QL::Cross_field field_of(Mesh& mesh, const Options& options, const EdgeMap& features,
                          Progress& progress)
 {
-  const auto np = QL::parameters::visitor(std::ref(progress)).edge_is_constrained_map(features);
+  const auto np = QL::parameters::visitor(std::ref(progress))
+                      .edge_is_constrained_map(features)
+                      .cross_field_method(options.field_method == "mixed-integer" ? QL::MIXED_INTEGER
+                                                                                  : QL::DIFFUSION);
   if (options.field.empty())
     return QL::compute_cross_field(mesh, np);
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
+}
+
+inline void write_field(const std::string& file, const QL::Cross_field& field)
+{
+  const auto format = field_format(file);
+  if (!format)
+    throw Usage_error("--write-field needs a file .rosy, .rawfield or .ffield, not " + file);
+  std::ofstream out(file);
+  if (!QL::IO::write_cross_field(out, field, *format))
+    throw std::runtime_error(file + ": cannot be written");
 }
 
 template <class NamedParameters>
@@ -201,6 +214,8 @@ inline void run_stages(Mesh& mesh, const Options& options, Results& results)
   const auto on_feature = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_feature", false)
                               .first;
   r.field = clock("field", [&] { return field_of(mesh, options, features, progress); });
+  if (!options.written_field.empty())
+    write_field(options.written_field, r.field);
   r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, np); });
   if (!options.program.empty())
     write_program(options.program, r.t_mesh, np);
