@@ -8,7 +8,7 @@
 // line of comma-separated values per program: its size, the best solution and bound, and the
 // seconds until the solution was within 1 % of the final one and until the end.
 //
-// usage: benchmark_quantization [--alpha LIST] [--displacement LIST] [--solver glpk|cbc]
+// usage: benchmark_quantization [--alpha LIST] [--displacement LIST] [--solver glpk|cbc|highs]
 //        [--time-limit S] [--gap FRACTION] [--most-singularities N] [--noise DEG] MESH...
 
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
@@ -19,6 +19,9 @@
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 #ifdef CGAL_USE_CBC
 #include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
+#endif
+#ifdef CGAL_USE_HIGHS
+#include <CGAL/Quad_layouts/HiGHS_mixed_integer_program_traits.h>
 #endif
 
 #include <CGAL/Real_timer.h>
@@ -31,6 +34,7 @@
 #include <iostream>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +93,12 @@ QL::Quantization quantize(const QL::T_mesh& t_mesh, const Options& options, doub
   if (options.solver == "cbc")
     return QL::quantize<QL::CBC_mixed_integer_program_traits<double>>(t_mesh, np);
 #endif
+#ifdef CGAL_USE_HIGHS
+  if (options.solver == "highs")
+    return QL::quantize<QL::HiGHS_mixed_integer_program_traits<double>>(t_mesh, np);
+#endif
+  if (options.solver != "glpk")
+    throw std::invalid_argument("there is no solver " + options.solver + " here");
   return QL::quantize(t_mesh, np);
 }
 
@@ -100,6 +110,15 @@ double seconds_to_within_a_percent(const std::vector<std::pair<double, double>>&
     if (step.second <= 1.01 * objective)
       return step.first;
   return 0;
+}
+
+const char* status_name(QL::Quantization::Status status)
+{
+  switch (status) {
+    case QL::Quantization::OPTIMAL: return "optimal";
+    case QL::Quantization::FEASIBLE: return "feasible";
+    default: return "infeasible";
+  }
 }
 
 void run(const std::string& file, const QL::Cross_field& field, const Options& options,
@@ -114,14 +133,15 @@ void run(const std::string& file, const QL::Cross_field& field, const Options& o
     timer.start();
     const QL::Quantization q = quantize(t_mesh, options, alpha, r, history);
     const double seconds = timer.time();
-    const QL::Quad_layout_measures layout = QL::measure_quad_layout(
-        QL::extract_quad_layout(t_mesh, q));
+    const bool has_layout = q.status != QL::Quantization::INFEASIBLE;
+    const int patches =
+        has_layout ? QL::measure_quad_layout(QL::extract_quad_layout(t_mesh, q)).patches : 0;
     std::cout << file << ',' << alpha << ',' << r << ',' << field.number_of_singularities() << ','
               << t_mesh.number_of_edges() << ',' << q.variables << ',' << q.indicators << ','
-              << (q.status == QL::Quantization::OPTIMAL ? "optimal" : "feasible") << ','
+              << status_name(q.status) << ','
               << q.objective << ',' << q.bound << ',' << q.gap() << ','
               << seconds_to_within_a_percent(steps, q.objective) << ',' << seconds << ','
-              << layout.patches << ',' << q.violated << std::endl;
+              << patches << ',' << q.violated << std::endl;
   }
 }
 
@@ -160,13 +180,13 @@ Options read(int argc, char* argv[])
   return result;
 }
 
-int main(int argc, char* argv[])
+// returns how many meshes failed
+int run_all(const Options& options)
 {
-  const Options options = read(argc, argv);
+  int failures = 0;
   std::cout << "mesh,alpha,r,singularities,arcs,variables,indicators,status,objective,bound,gap,"
                "seconds_to_1_percent,seconds,patches,violated"
             << std::endl;
-  int failures = 0;
   for (const std::string& file : options.files)
     try {
       Mesh mesh;
@@ -180,5 +200,15 @@ int main(int argc, char* argv[])
       std::cerr << file << ": " << error.what() << '\n';
       ++failures;
     }
-  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return failures;
+}
+
+int main(int argc, char* argv[])
+{
+  try {
+    return run_all(read(argc, argv)) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch (const std::logic_error& error) { // of options; by std::stod() if they are no numbers
+    std::cerr << "benchmark_quantization: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 }

@@ -293,6 +293,14 @@ inline Mesh noisy(Mesh mesh, double amplitude, unsigned seed)
   return mesh;
 }
 
+// meshes with borders of various kinds, small for small `n`
+inline std::vector<Mesh> meshes_with_borders(int n)
+{
+  return {plate({{0, 0}}, n + 2), plate_with_holes(5, 3, {{1, 1}, {3, 1}}, n), disc(2 * n + 1),
+          annulus(0.3, 1, n + 2, 6 * n),
+          noisy(plate_with_holes(4, 4, {{2, 2}, {0, 0}}, n), 0.05, 2)};
+}
+
 } // namespace generated
 
 #endif // CGAL_QUAD_LAYOUTS_TEST_GENERATED_MESHES_H

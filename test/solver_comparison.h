@@ -7,6 +7,7 @@
 #ifndef QUAD_LAYOUTS_TEST_SOLVER_COMPARISON_H
 #define QUAD_LAYOUTS_TEST_SOLVER_COMPARISON_H
 
+#include "caught_output.h"
 #include "generated_meshes.h"
 #include "solver_cases.h"
 
@@ -153,6 +154,17 @@ void agrees_with_glpk_on_random_programs()
     BOOST_TEST(traits.objective_value() == other.objective_value(),
                boost::test_tools::tolerance(1e-6));
   }
+}
+
+template <class Traits>
+void prints_nothing()
+{
+  const QL::T_mesh t_mesh = traced(generated::noisy(generated::icosphere(3), 0.05, 1));
+  Caught_output output;
+  QL::quantize<Traits>(t_mesh, parameters::maximum_running_time(2));
+  solver_cases::bears_programs_without_rows_or_columns<Traits>();
+  const long written = output.restore();
+  BOOST_TEST(written == 0);
 }
 
 } // namespace solver_comparison

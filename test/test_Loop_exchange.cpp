@@ -85,7 +85,8 @@ BOOST_FIXTURE_TEST_CASE(counts_keep_up_with_changes, Fixture)
 // far better than the first.
 BOOST_FIXTURE_TEST_CASE(improves_a_sum_of_loops, Fixture)
 {
-  internal::Loop_exchange exchange(program, graph, loops());
+  internal::Loop_exchange exchange(program, graph);
+  exchange.start_from(loops());
   const double first = exchange.objective();
   double best = first;
   for (int step = 0; step < 200; ++step) {
@@ -103,7 +104,8 @@ BOOST_FIXTURE_TEST_CASE(improves_a_sum_of_loops, Fixture)
 // New rows are satisfied from the next step on.
 BOOST_FIXTURE_TEST_CASE(takes_notice_of_cuts, Fixture)
 {
-  internal::Loop_exchange exchange(program, graph, loops());
+  internal::Loop_exchange exchange(program, graph);
+  exchange.start_from(loops());
   for (int step = 0; step < 50; ++step)
     exchange.step(exchange.objective());
   internal::Reduced_program::Set unused;

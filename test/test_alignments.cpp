@@ -65,9 +65,9 @@ BOOST_AUTO_TEST_CASE(no_trace_runs_into_a_singularity)
     for (const auto& trace : t.traces)
       ends += ends_in_singularity(t, trace);
     BOOST_TEST(ends == 0);
-    const auto lengths = internal::Runs(t).lengths();
+    const internal::Runs runs(t);
     const std::vector<std::vector<int>> free(t.traces.size());
-    BOOST_TEST(internal::Alignments(t, lengths, free).number_of_candidates() > 8);
+    BOOST_TEST(internal::Alignments(t, runs, free).number_of_candidates() > 8);
   }
 }
 
@@ -75,12 +75,12 @@ BOOST_AUTO_TEST_CASE(no_trace_runs_into_a_singularity)
 BOOST_AUTO_TEST_CASE(rows_have_the_order_of_tracing)
 {
   for (const QL::T_mesh& t : aligned_t_meshes(1)) {
-    const auto lengths = internal::Runs(t).lengths();
+    const internal::Runs runs(t);
     int wrong = 0;
     for (const auto& visits : t.node_visits)
       if (visits.size() == 2) {
-        const double first = lengths[visits[0].trace][visits[0].arcs];
-        wrong += first > lengths[visits[1].trace][visits[1].arcs] * (1 + 1e-12);
+        const double first = runs.length({visits[0].trace, visits[0].arcs});
+        wrong += first > runs.length({visits[1].trace, visits[1].arcs}) * (1 + 1e-12);
       }
     BOOST_TEST(wrong == 0);
   }

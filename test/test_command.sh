@@ -68,7 +68,9 @@ expect 2 "alpha needs a value" cube.off --alpha
 expect 2 "more than one input" cube.off cube.off
 expect 2 "unknown solver" cube.off --solver oracle
 expect 2 "time limit must be greater than 0" cube.off --time-limit 0
+expect 2 "unknown field method" cube.off --field-method guess
 expect 2 "maximum_deviation" cube.off --alpha 200 --quiet
+expect 2 "write-field needs a file" cube.off --write-field field.txt --quiet
 expect 0 "" --help
 
 # input that is refused, by the name of the element
@@ -105,6 +107,9 @@ expect 1 "vertex 3 has a coordinate that is not a finite number|cannot be read" 
 echo "1 0 0" >short.txt
 expect 1 "1 vectors for 768 faces" cube.off --field short.txt --quiet
 
+echo "1" >short.rosy
+expect 1 "line 1: the field has 1 faces, the mesh has 768" cube.off --field short.rosy --quiet
+
 echo "x0 1" >wrong.sol
 expect 1 "opposite sides of patches are not equally long" cube.off --read-solution wrong.sol --quiet
 expect 1 "none.sol: no such file" cube.off --read-solution none.sol --quiet
@@ -134,6 +139,18 @@ for key in input vertices faces euler components borders singularities_in singul
   grep -q "\"$key\":" result/stats.json || fail "stats.json has no $key"
 done
 grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 patches"
+
+# the other method for the field
+expect 0 "" cube.off --output rounded --edge-length 0.05 --field-method mixed-integer --quiet
+grep -q '"singularities_in": 8,' rounded/stats.json || fail "a rounded field on a cube has 8 singularities"
+
+# fields of other tools
+for format in rosy rawfield ffield; do
+  expect 0 "" cube.off --output by_$format --edge-length 0.05 --write-field field.$format --quiet
+  expect 0 "" cube.off --output by_$format --edge-length 0.05 --field field.$format --quiet
+  grep -q '"patches": 6,' by_$format/stats.json || fail "a field in .$format does not come back"
+done
+rm -r by_*
 
 # a surface with a border
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n' >open.off

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/IO/quantization_program.h>
 #include <CGAL/Quad_layouts/arc_weights.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/property_map.h>
 
 #include <boost/test/unit_test.hpp>
@@ -264,6 +265,38 @@ BOOST_AUTO_TEST_CASE(of_faces_are_means_beside_arcs)
   BOOST_TEST(mixed < int(weights.size()));
 }
 
+// Along the border and feature curves as well; faces with several fixed edges are split.
+BOOST_AUTO_TEST_CASE(of_faces_beside_fixed_edges)
+{
+  using Face = generated::Mesh::Face_index;
+  generated::Mesh plate = generated::plate_with_holes(3, 3, {{1, 1}}, 2), cube = generated::cube(1);
+  for (generated::Mesh* mesh : {&plate, &cube}) {
+    const auto is_feature =
+        mesh->add_property_map<generated::Mesh::Edge_index, bool>("e:feature", true).first;
+    auto field_parameters = parameters::edge_is_constrained_map(is_feature);
+    const QL::T_mesh t = QL::trace_motorcycle_graph(QL::compute_cross_field(*mesh,
+                                                                            field_parameters));
+    BOOST_TEST(t.surface().number_of_faces() > int(num_faces(*mesh)));
+    auto weight = mesh->add_property_map<Face, double>("f:weight", 4.).first;
+    for (const double w : QL::arc_weights(t, *mesh, weight))
+      BOOST_TEST(w == 4, boost::test_tools::tolerance(1e-9));
+
+    std::vector<double> face_weight;
+    for (const Face f : faces(*mesh))
+      face_weight.push_back(1 + int(f));
+    const auto lengths = internal::Weights_along_arcs(t, face_weight).lengths();
+    double sum = 0, expected = 0;
+    for (int a = 0; a < t.number_of_edges(); ++a)
+      sum += t.is_fixed(a) ? lengths[a] : 0;
+    const QL::T_mesh::Surface& surface = t.surface();
+    for (int h = 0; h < surface.number_of_halfedges(); ++h)
+      if (surface.is_fixed(h))
+        expected += surface.length(h) * face_weight[surface.origin(h / 3)] /
+                    (surface.is_border(h) ? 1 : 2);
+    BOOST_TEST(sum == expected, boost::test_tools::tolerance(1e-9));
+  }
+}
+
 // The objective with weights is the least of all with weights.
 BOOST_AUTO_TEST_CASE(make_what_is_dear_rare)
 {
@@ -411,6 +444,41 @@ BOOST_AUTO_TEST_CASE(of_quantizations)
   BOOST_TEST(asymmetric > 0);
   BOOST_TEST(mirrored > 0.8 * arcs);
   BOOST_TEST(confirmed > 3);
+}
+
+// At the border, and with vertices added in the middle of split faces.
+BOOST_AUTO_TEST_CASE(of_surfaces_with_fixed_edges)
+{
+  using Edge = generated::Mesh::Edge_index;
+  generated::Mesh plate = generated::plate_with_holes(3, 3, {{1, 1}}, 2), cube = generated::cube(1);
+  const auto check_symmetry = [](const generated::Mesh& mesh, const QL::Cross_field& field,
+                                 const auto& image) {
+    const QL::T_mesh t = QL::trace_motorcycle_graph(field);
+    std::vector<int> vertex_image = images(t.surface(), image);
+    vertex_image.resize(num_vertices(mesh));
+    const auto np = parameters::vertex_symmetry(vertex_image);
+    const Case c{"", t, 2, 0.01 * t.surface().diagonal()};
+    const auto program = program_of(c, np);
+    BOOST_TEST(program.mirrored.size() > 0);
+    const QL::Quantization q = QL::quantize(t, np);
+    BOOST_REQUIRE((q.status != QL::Quantization::INFEASIBLE));
+    BOOST_TEST(internal::grants_wishes(program, q.arc_length));
+  };
+  const QL::Cross_field on_plate = QL::compute_cross_field(plate);
+  check_symmetry(plate, on_plate, [](const Point& p) { return Point(3, 3, 0) - p; });
+  check_symmetry(plate, on_plate, [](const Point& p) { return Point(p.y(), p.x(), 0); });
+
+  auto is_feature = cube.add_property_map<Edge, bool>("e:feature", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(cube, 40, is_feature);
+  const QL::Cross_field on_cube =
+      QL::compute_cross_field(cube, parameters::edge_is_constrained_map(is_feature));
+  BOOST_TEST(on_cube.surface().number_of_vertices() == 20);
+  check_symmetry(cube, on_cube, inverted);
+  check_symmetry(cube, on_cube, rotated);
+  BOOST_CHECK_THROW(check_symmetry(cube, on_cube, [](const Point& p) {
+                      return Point(1 - p.x(), p.y(), p.z());
+                    }),
+                    QL::Invalid_parameter);
 }
 
 // The program for other solvers has the wishes, and solutions that do not are refused.

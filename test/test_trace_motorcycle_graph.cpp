@@ -279,10 +279,7 @@ BOOST_AUTO_TEST_CASE(borders_without_corners_get_seeds)
 
 BOOST_AUTO_TEST_CASE(random_fields_with_borders)
 {
-  const std::vector<Mesh> meshes = {
-      generated::plate({{0, 0}}, 5), generated::plate_with_holes(5, 3, {{1, 1}, {3, 1}}, 3),
-      generated::disc(8), generated::annulus(0.3, 1, 5, 24),
-      generated::noisy(generated::plate_with_holes(4, 4, {{2, 2}, {0, 0}}, 4), 0.05, 2)};
+  const std::vector<Mesh> meshes = generated::meshes_with_borders(4);
   for (unsigned seed = 1; seed <= 40; ++seed) {
     std::mt19937 random(seed);
     const double alpha = 1 + random() % 88, r = random() % 5;

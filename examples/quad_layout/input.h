@@ -10,6 +10,7 @@
 #include "file_header.h"
 #include "polygon_soup.h"
 
+#include <CGAL/Quad_layouts/IO/cross_field.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -18,6 +19,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -63,15 +65,25 @@ inline Mesh read_mesh(const std::string& file, bool repair)
   }
 }
 
-// reads a vector for each face of the mesh
-inline Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3> read_field(const std::string& file,
-                                                                         Mesh& mesh)
+using Directions = Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3>;
+
+// the format of a file of a cross field, by its extension; none if it is a plain list of vectors
+inline std::optional<CGAL::Quad_layouts::Cross_field_format> field_format(const std::string& file)
 {
-  std::ifstream in(file);
-  if (!in)
-    throw Input_error(file + ": no such file");
-  const auto result =
-      mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:direction").first;
+  const std::string extension = extension_of(file);
+  if (extension == ".rosy")
+    return CGAL::Quad_layouts::ROSY;
+  if (extension == ".rawfield")
+    return CGAL::Quad_layouts::RAWFIELD;
+  if (extension == ".ffield")
+    return CGAL::Quad_layouts::FFIELD_MPZ14;
+  return {};
+}
+
+// reads a line "x y z" for each face of the mesh
+inline void read_vectors(const std::string& file, std::istream& in, Directions& directions,
+                         const Mesh& mesh)
+{
   std::size_t number_of_lines = 0;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#')
@@ -81,12 +93,25 @@ inline Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3> read_field(const s
     if (!(words >> x >> y >> z))
       throw Input_error(file + ": \"" + line + "\" is not a vector \"x y z\"");
     if (number_of_lines < mesh.number_of_faces())
-      result[Mesh::Face_index(Mesh::size_type(number_of_lines))] = Kernel::Vector_3(x, y, z);
+      directions[Mesh::Face_index(Mesh::size_type(number_of_lines))] = Kernel::Vector_3(x, y, z);
     ++number_of_lines;
   }
   if (number_of_lines != mesh.number_of_faces())
     throw Input_error(file + ": has " + std::to_string(number_of_lines) + " vectors for " +
                       std::to_string(mesh.number_of_faces()) + " faces");
+}
+
+// reads a direction for each face of the mesh
+inline Directions read_field(const std::string& file, Mesh& mesh)
+{
+  std::ifstream in(file);
+  if (!in)
+    throw Input_error(file + ": no such file");
+  Directions result = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:direction").first;
+  if (const auto format = field_format(file))
+    CGAL::Quad_layouts::IO::read_cross_field(in, *format, mesh, result);
+  else
+    read_vectors(file, in, result, mesh);
   return result;
 }
 

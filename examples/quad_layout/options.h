@@ -25,9 +25,11 @@ struct Options
   std::string input;
   std::string output = ".";
   std::string field;           // a file, or empty; so are these:
+  std::string written_field;
   std::string program;         // to write
   std::string solution;        // to read
   std::string solver = "glpk"; // or "cbc" or "highs"
+  std::string field_method = "diffusion"; // or "mixed-integer"
   double alpha = 15;           // degrees
   double displacement = 2;     // target edge lengths
   double edge_length = 0.01;   // of the diagonal of the bounding box
@@ -46,7 +48,8 @@ inline const char* usage()
   return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
          "                         [--solver NAME] [--search-limit S] [--time-limit S]\n"
-         "                         [--field FILE] [--features DEG] [--repair]\n"
+         "                         [--field FILE] [--field-method NAME] [--write-field FILE]\n"
+         "                         [--features DEG] [--repair]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
          "Computes a simple quad layout of a triangle mesh, and a quad mesh on it.\n"
@@ -62,7 +65,10 @@ inline const char* usage()
          "  --search-limit S       for the search of the integer program, in seconds (30)\n"
          "  --time-limit S         for everything, in seconds; the search gets at most half of what\n"
          "                         is left when it begins (none)\n"
-         "  --field FILE           a line \"x y z\" for each face: a direction to follow there\n"
+         "  --field FILE           a cross field: .rosy, .rawfield or .ffield, or else a line \"x y z\"\n"
+         "                         for each face\n"
+         "  --field-method NAME    of smooth fields: diffusion or mixed-integer (diffusion)\n"
+         "  --write-field FILE     where to write the field, as .rosy, .rawfield or .ffield\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"
          "  --repair               first make an oriented manifold of triangles of the input\n"
          "  --write-program FILE   where to write the integer program, in MPS format\n"
@@ -135,6 +141,8 @@ inline Options parse(int argc, char* argv[])
       {"--search-limit", real(result.search_limit)},
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
+      {"--field-method", text(result.field_method)},
+      {"--write-field", text(result.written_field)},
       {"--features", real(result.features)},
       {"--write-program", text(result.program)},
       {"--read-solution", text(result.solution)},
@@ -164,6 +172,9 @@ inline Options parse(int argc, char* argv[])
   check_solver(result.solver);
   if (!(result.time_limit > 0) || !(result.search_limit > 0))
     throw Usage_error("a time limit must be greater than 0");
+  if (result.field_method != "diffusion" && result.field_method != "mixed-integer")
+    throw Usage_error("unknown field method " + result.field_method +
+                      ": there are diffusion and mixed-integer");
   if (!(result.features >= 0) || result.features > 180)
     throw Usage_error("--features needs an angle from 0 to 180 degrees");
   return result;

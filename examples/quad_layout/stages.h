@@ -148,10 +148,22 @@ QL::Cross_field field_of(Mesh& mesh, const Options& options, const EdgeMap& feat
 {
   const auto np = QL::parameters::visitor(std::ref(progress))
                       .edge_is_constrained_map(features)
-                      .maximum_running_time(seconds);
+                      .maximum_running_time(seconds)
+                      .cross_field_method(options.field_method == "mixed-integer" ? QL::MIXED_INTEGER
+                                                                                  : QL::DIFFUSION);
   if (options.field.empty())
     return QL::compute_cross_field(mesh, np);
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
+}
+
+inline void write_field(const std::string& file, const QL::Cross_field& field)
+{
+  const auto format = field_format(file);
+  if (!format)
+    throw Usage_error("--write-field needs a file .rosy, .rawfield or .ffield, not " + file);
+  std::ofstream out(file);
+  if (!QL::IO::write_cross_field(out, field, *format))
+    throw std::runtime_error(file + ": cannot be written");
 }
 
 template <class NamedParameters>
@@ -216,6 +228,8 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                               .first;
   r.field = clock("field", [&] { return field_of(mesh, options, features, progress,
                                                   clock.seconds_left()); });
+  if (!options.written_field.empty())
+    write_field(options.written_field, r.field);
   r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, limited()); });
   if (!options.program.empty())
     write_program(options.program, r.t_mesh, np);

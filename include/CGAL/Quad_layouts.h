@@ -22,6 +22,7 @@
 #include <CGAL/Quad_layouts/measure_quad_layout.h>
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/parametrize_seamlessly.h>
 #include <CGAL/Quad_layouts/quad_remesh.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>

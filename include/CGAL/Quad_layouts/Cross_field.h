@@ -18,6 +18,16 @@ namespace CGAL {
 namespace Quad_layouts {
 
 /*!
+\ingroup PkgQuadLayoutsFunctions
+
+names the ways in which `compute_cross_field()` finds a smooth cross field.
+*/
+enum Cross_field_method {
+  DIFFUSION,    ///< by alternating diffusion and normalization of the crosses
+  MIXED_INTEGER ///< by greedy rounding of the period jumps, and a local search
+};
+
+/*!
 \ingroup PkgQuadLayoutsClasses
 
 is a cross field on a triangle mesh: four directions a quarter-turn apart in each face, a matching

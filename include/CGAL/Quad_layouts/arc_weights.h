@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/weighted_lengths.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
+#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/property_map.h>
@@ -30,7 +31,8 @@ turns weights of the faces of a mesh into weights of the arcs of its T-mesh, for
 `arc_weight_map` of `quantize()`.
 
 With these weights, the objective of a quantization is the total length of all dual loops, where a
-length within a face counts as many times as the weight of the face says. So layouts have fewer
+length within a face counts as many times as the weight of the face says; along an edge the mean of
+the two faces counts. So layouts have fewer
 patches where weights are large, and more where they are small. `quad_layout()` and `quad_remesh()`
 call this function if they are given a `face_weight_map`.
 
@@ -60,7 +62,7 @@ std::vector<double> arc_weights(const T_mesh& t_mesh, const TriangleMesh& tm,
     face_weight.push_back(get(weights, f));
     require_positive("face_weight_map", face_weight.back());
   }
-  CGAL_precondition(int(face_weight.size()) == t_mesh.surface().number_of_faces());
+  CGAL_precondition(int(face_weight.size()) == number_of_original_faces(t_mesh.surface()));
 
   const Weights_along_arcs along_arcs(t_mesh, face_weight);
   std::vector<double> result = quantization_program::weights(t_mesh, along_arcs.lengths());

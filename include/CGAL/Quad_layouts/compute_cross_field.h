@@ -42,10 +42,14 @@ inline void check_field_options(const Cross_field_options& options)
 
 computes a smooth cross field on a triangle mesh, or completes one that is given.
 
-A smooth field minimises the difference between adjacent faces by the diffusion of Merriman, Bence
-and Osher (Viertel and Osting, <em>An approach to quad meshing based on harmonic cross-valued maps
-and the Ginzburg-Landau theory</em>, 2019), softly aligned to the directions of principal curvature
-and exactly to the directions that are prescribed. Then singularities of valence 2 and less are
+A smooth field minimises the difference between adjacent faces, softly aligned to the directions of
+principal curvature and exactly to the directions that are prescribed. There are two methods. `DIFFUSION`
+is that of Merriman, Bence and Osher (Viertel and Osting, <em>An approach to quad meshing based on
+harmonic cross-valued maps and the Ginzburg-Landau theory</em>, 2019). `MIXED_INTEGER` chooses how often
+the field turns by a right angle from face to face, by greedy rounding (Bommes, Zimmer and Kobbelt,
+<em>Mixed-integer quadrangulation</em>, 2009) and a local search. It takes longer and finds smoother
+fields with fewer singularities, but the lines of the field join them less often: layouts tend to have
+more patches. Then singularities of valence 2 and less are
 spread over several vertices where the mesh has them; in such places the matching is not always
 the one that turns the field least. A given field keeps its directions; only the matchings and
 indices are computed.
@@ -73,6 +77,11 @@ every run.
     \cgalParamDefault{`0.07`}
     \cgalParamExtra{It must not be negative.}
   \cgalParamNEnd
+  \cgalParamNBegin{cross_field_method}
+    \cgalParamDescription{how a smooth field is found}
+    \cgalParamType{`Cross_field_method`}
+    \cgalParamDefault{`DIFFUSION`}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the edges of feature curves, which are kept: they are lines of the field, of
                           the T-mesh and of the layout, and quad vertices stay on them}
@@ -98,7 +107,7 @@ every run.
     \cgalParamDefault{a smooth field is computed}
   \cgalParamNEnd
   \cgalParamNBegin{diffusion_time}
-    \cgalParamDescription{how far a step of the diffusion reaches: the time of a step, in squared
+    \cgalParamDescription{how far a step of `DIFFUSION` reaches: the time of a step, in squared
                           edge lengths. Short times keep more of the principal directions that the
                           diffusion starts from, long ones ignore small details of the surface.}
     \cgalParamType{double}
@@ -106,8 +115,8 @@ every run.
     \cgalParamExtra{It must be positive; values from 8 to 128 make sense.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the maximum number of steps; the diffusion ends earlier when the field
-                          hardly changes}
+    \cgalParamDescription{the maximum number of steps of `DIFFUSION`, which ends earlier when the
+                          field hardly changes}
     \cgalParamType{int}
     \cgalParamDefault{`40`}
     \cgalParamExtra{It must be positive.}
@@ -138,8 +147,8 @@ every run.
 \throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
-The time is dominated by one sparse factorization and two triangular solutions a step; it grows a
-little faster than the number of faces.
+The time is dominated by one sparse factorization and two triangular solutions a step, or some ten
+factorizations for `MIXED_INTEGER`; it grows a little faster than the number of faces.
 */
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Cross_field compute_cross_field(const TriangleMesh& tm,
@@ -149,6 +158,8 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
   using parameters::get_parameter;
 
   internal::Cross_field_options options;
+  options.method =
+    choose_parameter(get_parameter(np, internal_np::cross_field_method), options.method);
   options.curvature_alignment = choose_parameter(
     get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
   options.diffusion_time =

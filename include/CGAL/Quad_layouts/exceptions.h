@@ -115,6 +115,13 @@ public:
   using Error::Error;
 };
 
+/// says that a file or stream cannot be read; the message says why and in which line.
+class Invalid_file : public Error
+{
+public:
+  using Error::Error;
+};
+
 /// says that the visitor asked to stop.
 class Cancelled : public Error
 {

@@ -126,7 +126,7 @@ whole search the limit itself, which is usual above about one hundred singularit
   \cgalParamNBegin{vertex_symmetry}
     \cgalParamDescription{a symmetry of the surface, which the quantization is to have wherever the
                           T-mesh has it: for each vertex its image}
-    \cgalParamType{a range of `int`, as many as the surface has vertices}
+    \cgalParamType{a range of `int`, as many as the user's mesh has vertices}
     \cgalParamDefault{none}
     \cgalParamExtra{Images of faces must be faces. With a symmetry the first solution is left to the
                     solver, which should be a good one if there are hundreds of singularities.}

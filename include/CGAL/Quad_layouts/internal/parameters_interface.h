@@ -8,6 +8,7 @@
 // reads it once for the tags, once for the members and once for the free functions.
 
 // of the cross field
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(cross_field_method)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(curvature_alignment)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(diffusion_time)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(face_direction_map)

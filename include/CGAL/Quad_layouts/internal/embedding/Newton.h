@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/internal/embedding/Distortion.h>
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
 #include <CGAL/Quad_layouts/internal/embedding/Rest_shape.h>
+#include <CGAL/Quad_layouts/internal/embedding/first_loss_of_area.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -109,24 +109,9 @@ private:
       for (int k = 0; k < 3; ++k)
         d[k] = Chart_change::turned(move_of(face.vertex[k], move), face.chart[k].quarter_turns);
       longest = (std::min)(longest,
-                           0.9 * first_root(x[1] - x[0], x[2] - x[0], d[1] - d[0], d[2] - d[0]));
+                           0.9 * first_loss_of_area(x, d));
     }
     return longest;
-  }
-
-  static double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-  // the least positive t at which a + t da and b + t db are parallel, infinite if there is none
-  static double first_root(const Point2& a, const Point2& b, const Point2& da, const Point2& db)
-  {
-    const double c0 = cross(a, b), c1 = cross(a, db) + cross(da, b), c2 = cross(da, db);
-    const double discriminant = c1 * c1 - 4 * c0 * c2;
-    if (discriminant < 0)
-      return (std::numeric_limits<double>::infinity)();
-    // c0 is positive, so the roots are 2 c0 / (-c1 +- sqrt(discriminant)), of which the larger
-    // denominator belongs to the least positive one
-    const double denominator = std::sqrt(discriminant) - c1;
-    return denominator > 0 ? 2 * c0 / denominator : (std::numeric_limits<double>::infinity)();
   }
 
   void assemble()

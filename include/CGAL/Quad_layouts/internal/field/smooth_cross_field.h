@@ -10,6 +10,8 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/field/Field_diffusion.h>
+#include <CGAL/Quad_layouts/internal/field/Jump_rounding.h>
+#include <CGAL/Quad_layouts/internal/field/Jump_search.h>
 #include <CGAL/Quad_layouts/internal/field/Singularity_splitter.h>
 #include <CGAL/Quad_layouts/internal/field/curvature.h>
 #include <CGAL/Quad_layouts/internal/field/face_vectors.h>
@@ -29,6 +31,7 @@ namespace internal {
 
 struct Cross_field_options
 {
+  Cross_field_method method = DIFFUSION;
   double curvature_alignment = 0.07;
   double diffusion_time = 32;
   int number_of_iterations = 40;
@@ -88,12 +91,11 @@ inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
   return result;
 }
 
-// the angles, one of four each, of the crosses that diffusion makes of those of principal
-// curvature; faces with a fixed cross keep it
-inline std::vector<double> diffused_angles(const Face_connection& connection,
-                                           const std::vector<Complex>& fixed,
-                                           const Cross_field_options& options,
-                                           const Monitor& monitor)
+// the crosses that diffusion makes of those of principal curvature; faces with a fixed cross keep it
+inline std::vector<Complex> diffused_crosses(const Face_connection& connection,
+                                             const std::vector<Complex>& fixed,
+                                             const Cross_field_options& options,
+                                             const Monitor& monitor)
 {
   constexpr double converged = 1e-3;
   const Curvature_pulls pulls(connection);
@@ -105,11 +107,45 @@ inline std::vector<double> diffused_angles(const Face_connection& connection,
     if (diffusion.step() < converged)
       break;
   }
+  return diffusion.values();
+}
+
+// the angles, one of four each, of crosses; along fixed edges they are exact
+inline std::vector<double> angles_of_crosses(const Triangle_surface& surface,
+                                             const std::vector<Complex>& crosses)
+{
   std::vector<double> angles;
-  for (int f = 0; f < int(fixed.size()); ++f)
-    angles.push_back(aligned_angle(connection.surface(), f,
-                                   std::arg(diffusion.values()[f]) / 4));
+  for (int f = 0; f < int(crosses.size()); ++f)
+    angles.push_back(aligned_angle(surface, f, std::arg(crosses[f]) / 4));
   return angles;
+}
+
+// the period jumps of the halfedges, from those of the springs across the edges
+inline std::vector<int> halfedge_jumps(const Triangle_surface& surface,
+                                       const std::vector<int>& jumps)
+{
+  std::vector<int> result(surface.number_of_halfedges(), 0);
+  for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    if (!surface.is_border(h)) {
+      const int e = surface.edge(h);
+      result[h] = surface.halfedge_of_edge(e) == h ? jumps[e] : -jumps[e];
+    }
+  return result;
+}
+
+// The period jumps that greedy rounding leads to, and then a local search. `angles` has those of the faces
+// with a fixed cross, which are kept, and gets the others.
+inline std::vector<int> round_jumps(const Face_connection& connection,
+                                    const std::vector<char>& is_fixed,
+                                    const Cross_field_options& options, const Monitor& monitor,
+                                    std::vector<double>& angles)
+{
+  const Curvature_pulls pulls(connection);
+  const Cross_springs springs(connection, pulls.weighted(options.curvature_alignment), is_fixed);
+  std::vector<int> jumps(springs.number_of_springs(), 0);
+  Jump_rounding(springs, angles, jumps).run(monitor);
+  Jump_search(springs).run(angles, jumps, monitor);
+  return halfedge_jumps(connection.surface(), jumps);
 }
 
 // a smooth cross field along fixed edges, with the directions that `constraints` has; it is empty
@@ -124,8 +160,15 @@ inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surfa
   std::transform(fixed.begin(), fixed.end(), is_fixed.begin(),
                  [](const Complex& u) { return u != Complex(0); });
 
-  std::vector<double> angles = diffused_angles(connection, fixed, options, monitor);
-  std::vector<int> jumps = principal_period_jumps(connection, angles);
+  std::vector<double> angles;
+  std::vector<int> jumps;
+  if (options.method == DIFFUSION) {
+    angles = angles_of_crosses(*surface, diffused_crosses(connection, fixed, options, monitor));
+    jumps = principal_period_jumps(connection, angles);
+  } else {
+    angles = angles_of_crosses(*surface, fixed);
+    jumps = round_jumps(connection, is_fixed, options, monitor, angles);
+  }
   Singularity_splitter(connection, angles, jumps, is_fixed).split();
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }

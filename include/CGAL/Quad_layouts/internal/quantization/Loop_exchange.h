@@ -25,11 +25,13 @@ namespace internal {
 class Loop_exchange
 {
 public:
-  Loop_exchange(const Reduced_program& program, const Dual_graph& graph, std::vector<Loop> loops)
+  Loop_exchange(const Reduced_program& program, const Dual_graph& graph)
     : m_program(program), m_search(graph), m_current(program)
   {
-    m_current.replace(std::move(loops));
   }
+
+  // goes on from the sum of these
+  void start_from(std::vector<Loop> loops) { m_current.replace(std::move(loops)); }
 
   const std::vector<int>& values() const { return m_current.values(); }
   double objective() const { return m_current.rows().objective(); }
@@ -41,8 +43,7 @@ public:
     m_current.update_cuts();
     const bool was_feasible = m_current.rows().is_feasible();
     std::vector<Loop> before = m_current.loops();
-    if (!before.empty())
-      ruin();
+    ruin(1 + random_below(most_loops));
     recreate();
     const bool is_kept = m_current.rows().is_feasible() && (!was_feasible || objective() <= limit);
     if (!is_kept)
@@ -50,21 +51,12 @@ public:
     return is_kept;
   }
 
-private:
-  // in [0, 1), the same on all machines
-  double random() { return m_random() / 4294967296.; }
-  std::size_t random_below(std::size_t n) { return m_random() % n; }
-  template <class Container>
-  auto random_of(const Container& container)
+  // takes away up to `count` loops: one, and some that pass a row of one that was taken away
+  void ruin(std::size_t count)
   {
-    return container[random_below(container.size())];
-  }
-
-  // takes away a loop, and some that pass a row of one that was taken away
-  void ruin()
-  {
-    constexpr std::size_t most_loops = 5, most_trials = 20;
-    std::size_t count = 1 + random_below(most_loops);
+    if (m_current.loops().empty())
+      return;
+    const std::size_t most_trials = 4 * count;
     Loop near = take_away(random_below(m_current.loops().size()));
     for (std::size_t trial = 1; --count > 0 && trial < most_trials; ++trial) {
       const auto candidates = loops_through(variable_near(random_of(near)));
@@ -74,6 +66,18 @@ private:
       if (random() < 0.5)
         near = std::move(taken);
     }
+  }
+
+private:
+  static constexpr std::size_t most_loops = 5; // that one step takes away
+
+  // in [0, 1), the same on all machines
+  double random() { return m_random() / 4294967296.; }
+  std::size_t random_below(std::size_t n) { return m_random() % n; }
+  template <class T>
+  T random_of(const std::vector<T>& container)
+  {
+    return container[random_below(container.size())];
   }
 
   Loop take_away(std::size_t k)

@@ -64,7 +64,32 @@ public:
 protected:
   using Clock = std::chrono::steady_clock;
 
-  // is called when a search begins
+  // Begins a search: forgets the last one, and takes the start solution and programs of constants.
+  // Says if there is anything to search.
+  bool begin()
+  {
+    reset();
+    take_solution(start);
+    if (columns.empty())
+      solve_without_columns();
+    return !columns.empty();
+  }
+
+  void end_at_limit(const char* reason = "limit")
+  {
+    outcome = Outcome::LIMIT;
+    message = reason;
+  }
+
+  // solvers cut off what is not better than the known solution
+  void limit_bound()
+  {
+    if (has_solution)
+      bound = maximize ? (std::max)(bound, objective_value) : (std::min)(bound, objective_value);
+  }
+
+  bool is_stopped() const { return stop && stop(); }
+
   void reset()
   {
     m_end = limits.seconds < 1e6

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -123,7 +124,7 @@ inline bool must_be_positive(double own, double other, bool own_is_longer,
                        : own - demands.reach > demands.tangent * (other + demands.reach);
 }
 
-// says if `run` leads from one singularity or seed to another
+// says if `run` leads from one singularity or seed to another one
 inline bool leads_to_singularity(const T_mesh& t_mesh, const Run& run)
 {
   if (run.arcs.empty())
@@ -179,41 +180,40 @@ inline std::vector<Quantization_program::Prefixes> prefixes(const T_mesh& t_mesh
 }
 
 // returns equations that make a quantization as symmetric as the T-mesh is
-inline std::vector<Quantization_program::Equation> mirrored(
-    const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
-    const std::vector<int>& vertex_image)
+inline std::vector<Quantization_program::Equation> mirrored(const T_mesh& t_mesh, const Runs& runs,
+                                                            const std::vector<int>& vertex_image)
 {
   std::vector<Quantization_program::Equation> result;
   if (vertex_image.empty())
     return result;
   const Surface_symmetry symmetry(t_mesh.surface(), vertex_image);
-  const Mirrored_traces traces(t_mesh, lengths, symmetry);
-  if (traces.is_empty())
+  const Mirrored_runs mirrored_runs(t_mesh, runs, symmetry);
+  if (mirrored_runs.is_empty())
     throw Unsatisfiable_demand("vertex_symmetry: no trace of the T-mesh has an image");
-  for (const auto& [arcs, image] : traces.segments())
+  for (const auto& [arcs, image] : mirrored_runs.segments())
     result.push_back({arcs, image});
   return result;
 }
 
 // adds the rows of the user's wishes; the others must be there
-inline void add_wishes(const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
-                       const Quantization_wishes& wishes, Quantization_program& program)
+inline void add_wishes(const T_mesh& t_mesh, const Runs& runs, const Quantization_wishes& wishes,
+                       Quantization_program& program)
 {
   for (std::size_t a = 0; a < wishes.arc_weight.size(); ++a)
     program.weight[a] *= wishes.arc_weight[a];
   const auto separate = [&](int i, int j) {
     program.separate.push_back({(std::min)(i, j), (std::max)(i, j), shortest_path(t_mesh, i, j)});
   };
-  const Connection_search search(t_mesh, lengths, program.prefixes);
+  const Connection_search search(t_mesh, runs, program.prefixes);
   for (const auto& [i, j] : wishes.connected) {
     program.connections.push_back(search.between(i, j));
     separate(i, j);
   }
   for (const auto& [i, j] : wishes.separate)
     separate(i, j);
-  program.mirrored = mirrored(t_mesh, lengths, wishes.vertex_image);
+  program.mirrored = mirrored(t_mesh, runs, wishes.vertex_image);
   if (wishes.locks_alignments)
-    program.locked = Alignments(t_mesh, lengths, program.prefixes).lock(program.zero_arcs());
+    program.locked = Alignments(t_mesh, runs, program.prefixes).lock(program.zero_arcs());
 }
 
 } // namespace quantization_program
@@ -243,7 +243,7 @@ inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
       range.first = (std::min)(range.first, t_mesh.index(n));
       range.second = (std::max)(range.second, t_mesh.index(n));
     }
-  quantization_program::add_wishes(t_mesh, runs.lengths(), wishes, result);
+  quantization_program::add_wishes(t_mesh, runs, wishes, result);
   return result;
 }
 

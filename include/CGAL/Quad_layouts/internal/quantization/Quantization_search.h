@@ -38,8 +38,9 @@ namespace internal {
 // - a greedy sum of dual loops, and exchange of loops at random;
 // - the relaxation with cutting planes, for a bound;
 // - a short branch and cut in the whole program, which is enough for many models;
-// - rounds of growing effort: branch and cut where solution and relaxation differ, in
-//   neighbourhoods, and from the second round on in the whole program, for the proof.
+// - rounds of growing effort: branch and cut where solution and relaxation differ; in
+//   neighbourhoods, of the best solution, then of others made of it by exchange of loops, and where
+//   both differ; and from the second round on in the whole program, for the proof.
 //
 // The effort of the solver is bounded by nodes of its search tree, so that results can be repeated;
 // time limits are the last resort. Of many index rows solvers see those that some solution has
@@ -56,7 +57,7 @@ public:
       m_paper(build_quantization_program(t_mesh, options.demands, options.wishes)),
       m_graph(t_mesh, m_paper.zero_arcs()), m_program(reduce(t_mesh, m_paper, m_graph)),
       m_incumbent(t_mesh, m_paper, m_graph, m_program, m_limited_monitor),
-      m_neighbourhoods(t_mesh, m_graph)
+      m_neighbourhoods(t_mesh, m_graph), m_exchange(m_program, m_graph)
   {
   }
 
@@ -70,7 +71,9 @@ public:
       search_whole_program(20, 0.1);
       for (int factor = 1; !is_done() && factor <= largest_factor; factor *= 4) {
         search_disagreement(200 * factor);
-        search_neighbourhoods(60 * factor);
+        search_neighbourhoods(m_incumbent, 60 * factor);
+        if (!is_done())
+          search_elsewhere(60 * factor);
         if (factor > 1 && !is_done())
           search_whole_program(20 * factor, 0.25);
       }
@@ -86,7 +89,15 @@ private:
     return timer;
   }
 
+  // of neighbourhoods
+  enum Kind { SINGULARITY, SINGULARITY_ON_SUPPORT, LOOP, LOOP_ON_SUPPORT, WITHOUT_LOOPS };
+  static constexpr std::array<Kind, 8> kinds{SINGULARITY,     WITHOUT_LOOPS, SINGULARITY_ON_SUPPORT,
+                                             WITHOUT_LOOPS,   LOOP,          WITHOUT_LOOPS,
+                                             LOOP_ON_SUPPORT, WITHOUT_LOOPS};
+
   static constexpr int largest_factor = 1 << 16; // of the effort; ends the search of poor solvers
+  // of the time that is left for one of many searches, so that none takes it from the others
+  static constexpr double small_share = 0.03;
 
   bool is_proven() const
   {
@@ -110,14 +121,20 @@ private:
   }
 
   // solves in a box, takes over what is better, and returns the outcome
-  Box_solution search(const Box& box, const Search_effort& effort, bool& improved)
+  Box_solution search(const Box& box, const Search_effort& effort, Incumbent& incumbent,
+                      bool& improved)
   {
-    Box_solution solution = solve_in_box<Traits>(m_program, box, m_incumbent.values(), effort);
+    Box_solution solution = solve_in_box<Traits>(m_program, box, incumbent.values(), effort);
     m_monitor.check("quantize");
-    improved = !solution.x.empty() && m_incumbent.improve_by(rounded(solution.x));
-    if (improved)
+    improved = !solution.x.empty() && incumbent.improve_by(rounded(solution.x));
+    if (improved && &incumbent == &m_incumbent)
       report();
     return solution;
+  }
+
+  Box_solution search(const Box& box, const Search_effort& effort, bool& improved)
+  {
+    return search(box, effort, m_incumbent, improved);
   }
 
   static std::vector<int> rounded(const std::vector<double>& x)
@@ -192,12 +209,12 @@ private:
         return;
       m_relaxation = solution.x;
       raise_bound(solution.bound);
-      if (m_timer.time() > 0.35 * m_options.seconds)
+      if (m_timer.time() > 0.2 * m_options.seconds)
         return;
       if (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0)
         continue;
       if (everything.covers_are_soft || m_program.index_rows_are_soft || is_done() ||
-          m_bound - previous < least_gain * m_bound)
+          m_bound - previous <= least_gain * m_bound)
         return;
       previous = m_bound;
       solution.x.insert(solution.x.end(), solution.indicators.begin(), solution.indicators.end());
@@ -221,26 +238,31 @@ private:
       return;
     constexpr double slack = 1.01; // worse solutions may lead on to better ones
     constexpr int patience = 200;
-    Loop_exchange exchange(m_program, m_graph, dual_loops(m_t_mesh, m_graph, m_incumbent.values()));
-    for (int failures = 0; failures < patience && m_timer.time() < 0.2 * m_options.seconds;
+    m_exchange.start_from(loops_of(m_incumbent));
+    for (int failures = 0; failures < patience && m_timer.time() < 0.1 * m_options.seconds;
          ++failures) {
       m_monitor.check("quantize");
-      if (exchange.step(slack * m_incumbent.objective()) &&
-          exchange.objective() < m_incumbent.objective() &&
-          m_incumbent.improve_by(exchange.values())) {
+      if (m_exchange.step(slack * m_incumbent.objective()) &&
+          m_exchange.objective() < m_incumbent.objective() &&
+          m_incumbent.improve_by(m_exchange.values())) {
         report();
         failures = 0;
       }
     }
   }
 
+  std::vector<Loop> loops_of(const Incumbent& incumbent) const
+  {
+    return dual_loops(m_t_mesh, m_graph, incumbent.values());
+  }
+
   // keeps variables at 0 that are 0 in the solution and in the relaxation, and paths short
-  void restrict_to_support(Box& box) const
+  void restrict_to_support(Box& box, const Incumbent& incumbent) const
   {
     constexpr double positive = 1e-6;
     box.longest_path = 4;
     for (int v = 0; v < m_program.number_of_variables(); ++v)
-      if (m_relaxation[v] < positive && m_incumbent.values()[v] == 0)
+      if (m_relaxation[v] < positive && incumbent.values()[v] == 0)
         box.low[v] = box.high[v] = 0;
   }
 
@@ -255,40 +277,85 @@ private:
       if (const int x = m_incumbent.values()[v]; std::abs(m_relaxation[v] - x) < tolerance)
         box.low[v] = box.high[v] = x;
     bool improved;
-    search(box, effort(nodes, 0.15), improved);
+    search(box, effort(nodes, 2 * small_share), improved);
   }
 
-  // Searches around singularities and around dual loops of the solution, in every other
-  // neighbourhood on the support only. Neighbourhoods of a kind grow while they are solved to
-  // optimality. Ends when many in a row bring nothing.
-  void search_neighbourhoods(int nodes)
+  // Improves another solution, into which many exchanges have turned the best one, and searches where
+  // both differ.
+  void search_elsewhere(int nodes)
+  {
+    constexpr double slack = 1.1;
+    constexpr int exchanges = 30;
+    m_exchange.start_from(loops_of(m_incumbent));
+    for (int i = 0; i < exchanges; ++i)
+      m_exchange.step(slack * m_incumbent.objective());
+    Incumbent other(m_t_mesh, m_paper, m_graph, m_program, m_limited_monitor);
+    if (!m_program.mirrored.empty() || !other.improve_by(m_exchange.values()))
+      return;
+    search_neighbourhoods(other, nodes);
+    Box between(m_program.number_of_variables(), Box::Rows::ALL);
+    for (int v = 0; v < m_program.number_of_variables(); ++v)
+      if (const int x = other.values()[v]; m_incumbent.values()[v] == x)
+        between.low[v] = between.high[v] = x;
+    bool improved = m_incumbent.improve_by(other.values());
+    if (improved)
+      report();
+    search(between, effort(nodes, small_share), improved);
+  }
+
+  // Searches around singularities, around dual loops of the solution, and where some loops are taken
+  // away; the latter every second time, around others every second time on the support only.
+  // Neighbourhoods of a kind grow while they are solved to optimality. Ends when many in a row bring
+  // nothing.
+  void search_neighbourhoods(Incumbent& incumbent, int nodes)
   {
     const int patience = 20 + int(m_paper.singularities.size()) / 4;
     for (int failures = 0; !is_done() && failures < patience; ++failures) {
-      const int kind = m_neighbourhood++ % int(m_size.size());
-      Box box = m_neighbourhoods.around(centre(kind), int(m_size[kind]), m_incumbent.values());
-      free_mirrored(m_program, box);
-      if (kind % 2 == 1 && !m_relaxation.empty())
-        restrict_to_support(box);
+      const Kind kind = kinds[m_neighbourhood++ % kinds.size()];
+      double& size = m_size[kind];
+      Box box = neighbourhood(kind, int(size), incumbent);
       bool improved;
-      const Box_solution solution = search(box, effort(nodes, 0.15), improved);
+      const Box_solution solution = search(box, effort(nodes, small_share), incumbent, improved);
       if (improved)
         failures = 0;
       else
-        resize(m_size[kind], solution.status == Box_solution::OPTIMAL);
+        resize(size, solution.status == Box_solution::OPTIMAL);
       m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
     }
   }
 
-  std::vector<int> centre(int kind)
+  Box neighbourhood(Kind kind, int size, const Incumbent& incumbent)
+  {
+    Box box = kind == WITHOUT_LOOPS
+                  ? without_loops(size, incumbent)
+                  : m_neighbourhoods.around(centre(kind, incumbent), size, incumbent.values());
+    free_mirrored(m_program, box);
+    if ((kind == SINGULARITY_ON_SUPPORT || kind == LOOP_ON_SUPPORT) && !m_relaxation.empty())
+      restrict_to_support(box, incumbent);
+    return box;
+  }
+
+  std::vector<int> centre(Kind kind, const Incumbent& incumbent)
   {
     const auto choose = [this](std::size_t n) { return m_random() % n; };
     std::vector<int> result;
-    if (kind >= 2)
-      result = m_neighbourhoods.along_a_loop(m_incumbent.values(), choose);
+    if (kind == LOOP || kind == LOOP_ON_SUPPORT)
+      result = m_neighbourhoods.along_a_loop(incumbent.values(), choose);
     if (result.empty())
       result.push_back(m_paper.singularities[choose(m_paper.singularities.size())]);
     return result;
+  }
+
+  // Other loops may take the place of `count` loops anywhere. Few rows are open then, so that this is
+  // solved fast although all variables are free.
+  Box without_loops(int count, const Incumbent& incumbent)
+  {
+    m_exchange.start_from(loops_of(incumbent));
+    m_exchange.ruin(std::size_t(count));
+    Box box(m_exchange.values());
+    for (std::size_t v = 0; v < box.high.size(); ++v)
+      box.high[v] = incumbent.values()[v] + 1;
+    return box;
   }
 
   void resize(double& size, bool was_solved) const
@@ -331,8 +398,9 @@ private:
   Reduced_program m_program;
   Incumbent m_incumbent;
   Neighbourhoods m_neighbourhoods;
+  Loop_exchange m_exchange;
   std::vector<double> m_relaxation;
-  std::array<double, 4> m_size{16, 16, 16, 16}; // of neighbourhoods, per kind
+  std::array<double, 5> m_size{16, 16, 16, 16, 2}; // of neighbourhoods, per kind
   int m_neighbourhood = 0;
   std::mt19937 m_random;
   bool m_is_exhausted = false;

@@ -7,9 +7,9 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 
+#include <CGAL/Quad_layouts/internal/quantization/Integer_row.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/minimal_sets.h>
-#include <CGAL/Quad_layouts/internal/quantization/zero_half_cuts.h>
 #include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>

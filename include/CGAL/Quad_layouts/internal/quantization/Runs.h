@@ -64,15 +64,6 @@ public:
   const std::vector<Run_meeting>& meetings() const { return m_meetings; }
   double length(const Run_visit& v) const { return m_runs[v.run].lengths[v.arcs]; }
 
-  // per run
-  std::vector<std::vector<double>> lengths() const
-  {
-    std::vector<std::vector<double>> result;
-    for (const Run& run : m_runs)
-      result.push_back(run.lengths);
-    return result;
-  }
-
 private:
   void add(const T_mesh& t_mesh, int start, std::vector<int> arcs)
   {

@@ -28,16 +28,16 @@ class Adapted_search : public Program_search
 public:
   void run()
   {
-    reset();
+    if (!begin())
+      return;
     const std::vector<double> corner = best_corner();
     bound = objective_of(corner);
-    take_solution(start);
-    if ((std::isfinite(bound) && take_solution(corner)) || columns.empty())
+    if (std::isfinite(bound) && take_solution(corner))
       outcome = Outcome::COMPLETE;
     else if (rows.empty()) // some solvers do not bear that
       message = "the program is unbounded";
     else if (seconds_left() <= 0 || is_stopped())
-      end_at_limit("limit");
+      end_at_limit();
     else
       search();
   }
@@ -45,14 +45,6 @@ public:
 private:
   using Variable = typename PlainTraits::Variable;
   using FT = decltype(std::declval<const Variable&>().solution_value());
-
-  bool is_stopped() const { return stop && stop(); }
-
-  void end_at_limit(const char* reason)
-  {
-    outcome = Outcome::LIMIT;
-    message = reason;
-  }
 
   // the point of the box where the objective is best, whatever the rows ask for
   std::vector<double> best_corner() const

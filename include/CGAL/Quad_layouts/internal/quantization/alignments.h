@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
+#include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 #include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>
@@ -34,9 +35,9 @@ public:
   static constexpr double tolerance = 0.025; // slope
 
   // `prefixes`: per trace the numbers of arcs whose sum must be positive, ascending
-  Alignments(const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
+  Alignments(const T_mesh& t_mesh, const Runs& runs,
              const std::vector<std::vector<int>>& prefixes)
-    : m_t_mesh(t_mesh), m_lengths(lengths), m_prefixes(prefixes)
+    : m_t_mesh(t_mesh), m_runs(runs), m_prefixes(prefixes)
   {
     for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)
       find_first(int(t));
@@ -68,7 +69,8 @@ private:
     for (const int a : m_t_mesh.traces[trace].arcs) {
       ++arcs;
       for (const T_mesh::Visit& other : m_t_mesh.node_visits[m_t_mesh.target(2 * a)]) {
-        const double line = m_lengths[trace][arcs], leg = m_lengths[other.trace][other.arcs];
+        const double line = m_runs.length({trace, arcs});
+        const double leg = m_runs.length({other.trace, other.arcs});
         const auto& prefixes = m_prefixes[other.trace];
         if (m_t_mesh.traces[other.trace].start == m_t_mesh.traces[trace].start ||
             leg > tolerance * line || (!prefixes.empty() && prefixes.front() <= other.arcs))
@@ -118,7 +120,7 @@ private:
   }
 
   const T_mesh& m_t_mesh;
-  const std::vector<std::vector<double>>& m_lengths;
+  const Runs& m_runs;
   const std::vector<std::vector<int>>& m_prefixes;
   std::vector<Leg> m_legs;
 };

@@ -80,14 +80,9 @@ class Cbc_search : public Program_search
 public:
   void run()
   {
-    reset();
-    take_solution(start);
-    if (columns.empty())
-      solve_without_columns();
-    else
+    if (begin())
       search();
-    if (has_solution) // cuts and fixed columns lead away from what is not better
-      bound = maximize ? (std::max)(bound, objective_value) : (std::min)(bound, objective_value);
+    limit_bound();
   }
 
 private:
@@ -113,7 +108,7 @@ private:
     if (!m_has_ended)
       m_has_ended = m_iterations > iteration_limit(cbc_iterations_per_node) ||
                     m_nodes > limits.nodes ||
-                    (m_questions++ % interval == 0 && (is_late() || (stop && stop())));
+                    (m_questions++ % interval == 0 && (is_late() || is_stopped()));
     return m_has_ended;
   }
 
@@ -168,8 +163,7 @@ private:
   {
     program.initialSolve();
     if (m_has_ended) {
-      outcome = Outcome::LIMIT;
-      message = "limit";
+      end_at_limit();
       return false;
     }
     if (program.isProvenPrimalInfeasible()) {

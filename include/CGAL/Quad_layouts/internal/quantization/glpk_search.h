@@ -203,7 +203,7 @@ private:
     glp_ios_tree_size(tree, nullptr, nullptr, &total);
     const int iterations = glp_get_it_cnt(glp_ios_get_prob(tree));
     if (total > limits.nodes || iterations > iteration_limit(glpk_iterations_per_node) ||
-        is_late() || (stop && stop()))
+        is_late() || is_stopped())
       glp_ios_terminate(tree);
   }
 

@@ -30,24 +30,16 @@ class Highs_search : public Program_search
 public:
   void run()
   {
-    reset();
-    take_solution(start);
-    if (columns.empty())
-      solve_without_columns();
-    else if (must_end())
+    if (!begin())
+      return;
+    if (must_end())
       end_at_limit();
     else
       search();
   }
 
 private:
-  bool must_end() const { return is_late() || (stop && stop()); }
-
-  void end_at_limit()
-  {
-    outcome = Outcome::LIMIT;
-    message = "limit";
-  }
+  bool must_end() const { return is_late() || is_stopped(); }
 
   bool is_mixed_integer() const
   {
@@ -157,8 +149,7 @@ private:
       bound = info.mip_dual_bound;
     else if (outcome == Outcome::COMPLETE && has_solution)
       bound = objective_value;
-    if (has_solution) // what is not better is cut off
-      bound = maximize ? (std::max)(bound, objective_value) : (std::min)(bound, objective_value);
+    limit_bound();
   }
 
   bool m_has_ended = false;

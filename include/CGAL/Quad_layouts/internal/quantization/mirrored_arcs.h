@@ -9,7 +9,9 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 #include <CGAL/Quad_layouts/internal/quantization/point_of_crossing.h>
+#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +30,12 @@ namespace internal {
 class Surface_symmetry
 {
 public:
-  // throws if an edge or a face has no image
+  // takes the images of the vertices of the user's mesh; throws if a face has no image
   Surface_symmetry(const Triangle_surface& surface, const std::vector<int>& vertex_image)
     : m_surface(surface), m_image(vertex_image)
   {
+    for (int v = int(m_image.size()); v < surface.number_of_vertices(); ++v)
+      m_image.push_back(find_image_of_center(v));
     for (int h = 0; h < surface.number_of_halfedges(); ++h)
       m_corner_image.push_back(find_corner_image(h));
   }
@@ -45,14 +49,51 @@ public:
     return m_surface.target(m_corner_image[h]) != m_image[m_surface.target(h)];
   }
 
-  // the halfedge between the images of the source and the target of `h`
-  int image(int h) const
+  // the edge between the images of the source and the target of `h`
+  int edge_image(int h) const
   {
     const int g = m_corner_image[h];
+    return m_surface.edge(turns_over(h) ? Triangle_surface::prev(g) : g);
+  }
+
+  // the outgoing halfedge of the image of vertex `v` that corresponds to `halfedge(v)`; at the border
+  // the most clockwise one, even if that is the image of the most counter-clockwise one
+  int image_of_first_halfedge(int v) const
+  {
+    if (m_surface.is_on_border(v))
+      return m_surface.halfedge(m_image[v]);
+    const int h = m_surface.halfedge(v), g = m_corner_image[h];
     return turns_over(h) ? m_surface.turn_left(g) : g;
   }
 
 private:
+  std::vector<int> neighbours_in_order(int v) const
+  {
+    std::vector<int> result;
+    m_surface.for_each_outgoing(v, [&](int h) { result.push_back(m_surface.target(h)); });
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // the image of a vertex in the middle of a face of the user's mesh, those of its corners being known
+  int find_image_of_center(int v) const
+  {
+    std::vector<int> corners;
+    for (const int corner : neighbours_in_order(v))
+      corners.push_back(m_image[corner]);
+    std::sort(corners.begin(), corners.end());
+    int result = -1;
+    m_surface.for_each_outgoing(corners.front(), [&](int h) {
+      const int center = m_surface.target(h);
+      if (center >= number_of_original_vertices(m_surface) &&
+          neighbours_in_order(center) == corners)
+        result = center;
+    });
+    if (result < 0)
+      throw_without_image(m_surface.origin(m_surface.halfedge(v) / 3));
+    return result;
+  }
+
   int find_corner_image(int h) const
   {
     const int u = m_image[m_surface.source(h)], v = m_image[m_surface.target(h)];
@@ -64,41 +105,45 @@ private:
         result = g;
     });
     if (result < 0)
-      throw Invalid_parameter("vertex_symmetry: face " + std::to_string(h / 3) + " has no image");
+      throw_without_image(m_surface.origin(h / 3));
     return result;
   }
 
+  [[noreturn]] static void throw_without_image(int face)
+  {
+    throw Invalid_parameter("vertex_symmetry: face " + std::to_string(face) + " has no image");
+  }
+
   const Triangle_surface& m_surface;
-  const std::vector<int>& m_image;
+  std::vector<int> m_image; // per vertex
   std::vector<int> m_corner_image;
 };
 
-// Which segments of traces are the images of which, where a T-mesh is as symmetric as its surface.
+// Which segments of runs are the images of which, where a T-mesh is as symmetric as its surface.
 // Traces of a symmetric field are so but for rounding, and for what depends on the order of traces
-// that meet after equal lengths. Two traces correspond that start in corresponding directions; two
-// nodes where traces that correspond cross after (nearly) equal lengths.
-class Mirrored_traces
+// that meet after equal lengths. Two runs correspond that start in corresponding directions; two
+// nodes where runs that correspond meet after (nearly) equal lengths.
+class Mirrored_runs
 {
 public:
   // arcs, and the arcs of the image
   using Segments = std::pair<std::vector<int>, std::vector<int>>;
 
-  // `lengths`: of the first 0, 1, 2, ... arcs of each trace
-  Mirrored_traces(const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
-                  const Surface_symmetry& symmetry)
-    : m_t_mesh(t_mesh), m_lengths(lengths), m_symmetry(symmetry), m_image(t_mesh.traces.size(), -1)
+  Mirrored_runs(const T_mesh& t_mesh, const Runs& runs, const Surface_symmetry& symmetry)
+    : m_t_mesh(t_mesh), m_runs(runs), m_symmetry(symmetry), m_image(runs.size(), -1)
   {
     for (int n = 0; n < t_mesh.number_of_vertices(); ++n)
       if (t_mesh.is_singularity_or_seed(n))
         m_node_of_vertex[t_mesh.surface_vertex(n)] = n;
     for (const auto& [vertex, node] : m_node_of_vertex)
       match_traces(vertex);
-    find_crossings();
+    match_fixed_runs();
+    find_meetings();
   }
 
   bool is_empty() const
   {
-    return std::all_of(m_image.begin(), m_image.end(), [](int t) { return t < 0; });
+    return std::all_of(m_image.begin(), m_image.end(), [](int r) { return r < 0; });
   }
 
   // returns the segments between corresponding nodes, each with its image, but for those that are
@@ -106,7 +151,8 @@ public:
   std::vector<Segments> segments() const
   {
     std::vector<Segments> result;
-    for (std::size_t t = 0; t < m_image.size(); ++t)
+    // those of the other runs are the same, the other way
+    for (std::size_t t = 0; t < m_t_mesh.traces.size(); ++t)
       if (m_image[t] >= 0)
         add_segments(int(t), result);
     std::sort(result.begin(), result.end());
@@ -115,6 +161,11 @@ public:
   }
 
 private:
+  bool is_fixed(int run) const
+  {
+    return !m_runs[run].arcs.empty() && m_t_mesh.is_fixed(m_runs[run].arcs.front());
+  }
+
   // a trace, and the angle from some halfedge to it, as a fraction of the full angle
   struct Start
   {
@@ -137,7 +188,7 @@ private:
       }
       angle += surface.corner_angle(h);
       h = surface.turn_left(h);
-    } while (h != first);
+    } while (h >= 0 && h != first);
     for (Start& start : result)
       start.angle /= angle;
     return result;
@@ -156,13 +207,13 @@ private:
     return 0;
   }
 
-  // The traces around a vertex correspond in their cyclic order, such that their angles differ as
-  // little as possible.
+  // The traces around a vertex correspond in their order, which is cyclic away from the border, such
+  // that their angles differ as little as possible.
   void match_traces(int vertex)
   {
     const int first = m_t_mesh.surface().halfedge(vertex);
     const std::vector<Start> here = starts(first);
-    std::vector<Start> there = starts(m_symmetry.image(first));
+    std::vector<Start> there = starts(m_symmetry.image_of_first_halfedge(vertex));
     if (here.size() != there.size())
       return;
     if (m_symmetry.turns_over(first)) {
@@ -171,7 +222,8 @@ private:
         start.angle = -start.angle;
     }
     double least = (std::numeric_limits<double>::max)();
-    for (std::size_t shift = 0; shift < there.size(); ++shift) {
+    const std::size_t shifts = m_t_mesh.surface().is_on_border(vertex) ? 1 : there.size();
+    for (std::size_t shift = 0; shift < shifts; ++shift) {
       double difference = 0;
       for (std::size_t k = 0; k < here.size(); ++k)
         difference += std::abs(
@@ -184,65 +236,91 @@ private:
     }
   }
 
-  // a place where a trace crosses another one, after so many arcs of both
-  struct Trace_crossing
+  // the halfedge of the surface that a fixed run begins with, in any direction
+  int first_halfedge(int run) const
+  {
+    const auto& pieces = m_t_mesh.arc_pieces[m_runs[run].arcs.front()];
+    const int start = m_t_mesh.surface_vertex(m_runs[run].start);
+    const int h = pieces.front().halfedge;
+    return m_t_mesh.surface().source(h) == start ? h : pieces.back().halfedge;
+  }
+
+  // Fixed runs correspond that begin with corresponding edges.
+  void match_fixed_runs()
+  {
+    using Key = std::pair<int, int>; // vertex, edge
+    const T_mesh::Surface& surface = m_t_mesh.surface();
+    std::map<Key, int> beginning;
+    const auto start = [&](int run) { return m_t_mesh.surface_vertex(m_runs[run].start); };
+    for (int r = 0; r < m_runs.size(); ++r)
+      if (is_fixed(r))
+        beginning[{start(r), surface.edge(first_halfedge(r))}] = r;
+    for (const auto& [key, run] : beginning) {
+      const auto image = beginning.find(
+          {m_symmetry.vertex_image(key.first), m_symmetry.edge_image(first_halfedge(run))});
+      if (image != beginning.end())
+        m_image[run] = image->second;
+    }
+  }
+
+  // a place where a run meets another one, after so many arcs of both
+  struct Meeting
   {
     int arcs, other_arcs;
   };
 
-  void find_crossings()
+  void find_meetings()
   {
-    m_crossings.resize(m_image.size());
-    const auto note = [&](const T_mesh::Visit& own, const T_mesh::Visit& other) {
-      m_crossings[own.trace][other.trace].push_back({own.arcs, other.arcs});
-    };
-    for (const auto& visits : m_t_mesh.node_visits)
-      if (visits.size() == 2) {
-        note(visits[0], visits[1]);
-        note(visits[1], visits[0]);
+    m_meetings.resize(m_image.size());
+    for (const Run_meeting& meeting : m_runs.meetings())
+      for (int k : {0, 1}) {
+        const Run_visit &own = meeting.visits[k], &other = meeting.visits[1 - k];
+        m_meetings[own.run][other.run].push_back({own.arcs, other.arcs});
       }
   }
 
-  // the difference between what a trace has run to a node and its image to another one, as a
-  // fraction of the whole trace
-  double difference(int trace, int arcs, int arcs_of_image) const
+  // the difference between the lengths of a run to a node and its image to another one, as a
+  // fraction of the whole run
+  double difference(int run, int arcs, int arcs_of_image) const
   {
-    return std::abs(m_lengths[trace][arcs] - m_lengths[m_image[trace]][arcs_of_image]) /
-           m_lengths[trace].back();
+    const std::vector<double>& lengths = m_runs[run].lengths;
+    return std::abs(lengths[arcs] - m_runs[m_image[run]].lengths[arcs_of_image]) / lengths.back();
   }
 
-  // returns the number of arcs of the image of trace `t` before it crosses the image of `other` at
-  // the place that corresponds to a crossing of both, -1 if there is none
-  int corresponding(int t, int other, const Trace_crossing& crossing) const
+  // returns the number of arcs of the image of `run` before it meets the image of `other` at the place
+  // that corresponds to a meeting of both, -1 if there is none
+  int corresponding(int run, int other, const Meeting& meeting) const
   {
-    const auto candidates = m_crossings[m_image[t]].find(m_image[other]);
-    if (candidates == m_crossings[m_image[t]].end())
+    const auto candidates = m_meetings[m_image[run]].find(m_image[other]);
+    if (candidates == m_meetings[m_image[run]].end())
       return -1;
     double least = tolerance;
     int result = -1;
-    for (const Trace_crossing& c : candidates->second) {
-      const double d = difference(t, crossing.arcs, c.arcs) +
-                       difference(other, crossing.other_arcs, c.other_arcs);
+    for (const Meeting& m : candidates->second) {
+      const double d = difference(run, meeting.arcs, m.arcs) +
+                       difference(other, meeting.other_arcs, m.other_arcs);
       if (d < least) {
         least = d;
-        result = c.arcs;
+        result = m.arcs;
       }
     }
     return result;
   }
 
-  // where a trace and its image cross traces that correspond: arcs before that of both, ascending.
-  // Where traces run next to each other, they may come in another order there: these are left out.
-  std::vector<std::pair<int, int>> corresponding_crossings(int t) const
+  // where a run and its image meet runs that correspond: arcs before that of both, ascending. Where
+  // runs lead next to each other, they may come in another order there: these are left out. Fixed
+  // runs that correspond have ends that do.
+  std::vector<std::pair<int, int>> corresponding_meetings(int run) const
   {
     std::vector<std::pair<int, int>> all, result;
-    for (const auto& [other, crossings] : m_crossings[t])
-      for (const Trace_crossing& c : crossings) {
-        const int arcs = m_image[other] < 0 ? -1 : corresponding(t, other, c);
+    for (const auto& [other, meetings] : m_meetings[run])
+      for (const Meeting& m : meetings) {
+        const int arcs = m_image[other] < 0 ? -1 : corresponding(run, other, m);
         if (arcs >= 0)
-          all.emplace_back(c.arcs, arcs);
+          all.emplace_back(m.arcs, arcs);
       }
     std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     std::vector<int> least_after(all.size() + 1, (std::numeric_limits<int>::max)());
     for (std::size_t i = all.size(); i-- > 0;)
       least_after[i] = (std::min)(all[i].second, least_after[i + 1]);
@@ -252,38 +330,43 @@ private:
         result.push_back(all[i]);
       most_before = (std::max)(most_before, all[i].second);
     }
+    if (is_fixed(run))
+      result.emplace_back(m_runs[run].arcs.size(), m_runs[m_image[run]].arcs.size());
     return result;
   }
 
-  void add_segments(int t, std::vector<Segments>& result) const
+  void add_segments(int run, std::vector<Segments>& result) const
   {
     std::pair<int, int> last(0, 0);
-    for (const auto& crossing : corresponding_crossings(t)) {
-      Segments segments{arcs_between(t, last.first, crossing.first),
-                        arcs_between(m_image[t], last.second, crossing.second)};
+    for (const auto& meeting : corresponding_meetings(run)) {
+      Segments segments{arcs_between(run, last.first, meeting.first),
+                        arcs_between(m_image[run], last.second, meeting.second)};
       if (segments.second < segments.first)
         std::swap(segments.first, segments.second);
       if (segments.first != segments.second)
         result.push_back(std::move(segments));
-      last = crossing;
+      last = meeting;
     }
   }
 
-  std::vector<int> arcs_between(int trace, int from, int to) const
+  // ascending, whichever way the run leads
+  std::vector<int> arcs_between(int run, int from, int to) const
   {
-    const auto& arcs = m_t_mesh.traces[trace].arcs;
-    return {arcs.begin() + from, arcs.begin() + to};
+    const auto& arcs = m_runs[run].arcs;
+    std::vector<int> result(arcs.begin() + from, arcs.begin() + to);
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   // Corresponding places of symmetric fields differ by rounding, and where traces pass vertices.
   static constexpr double tolerance = 0.01;
 
   const T_mesh& m_t_mesh;
-  const std::vector<std::vector<double>>& m_lengths;
+  const Runs& m_runs;
   const Surface_symmetry& m_symmetry;
   std::map<int, int> m_node_of_vertex;
-  std::vector<int> m_image;                                            // per trace
-  std::vector<std::map<int, std::vector<Trace_crossing>>> m_crossings; // per trace, by the other
+  std::vector<int> m_image;                                    // per run
+  std::vector<std::map<int, std::vector<Meeting>>> m_meetings; // per run, by the other
 };
 
 } // namespace internal

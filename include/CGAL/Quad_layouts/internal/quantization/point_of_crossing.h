@@ -22,6 +22,16 @@ inline T_mesh::Point point_of(const T_mesh& t_mesh, const T_mesh::Crossing& cros
   return (1 - t) * surface.point(surface.source(h)) + t * surface.point(surface.target(h));
 }
 
+// returns the length on the surface of a piece of an edge that an arc runs along
+inline double length_of_piece(const T_mesh& t_mesh, const T_mesh::Crossing& piece)
+{
+  const int e = t_mesh.surface().edge(piece.halfedge), k = piece.position;
+  const std::vector<double>& nodes = t_mesh.crossing_parameters[e];
+  const double begin = k == 0 ? 0 : nodes[k - 1];
+  const double end = k == int(nodes.size()) ? 1 : nodes[k];
+  return (end - begin) * t_mesh.surface().length(piece.halfedge);
+}
+
 } // namespace internal
 } // namespace Quad_layouts
 } // namespace CGAL

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_wishes.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
+#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
 #include <algorithm>
@@ -73,11 +74,11 @@ inline std::vector<int> read_symmetry(const T_mesh&, internal_np::Param_not_foun
   return {};
 }
 
-// reads a permutation of the vertices
+// reads a permutation of the vertices of the user's mesh
 template <class Images>
 std::vector<int> read_symmetry(const T_mesh& t_mesh, const Images& images)
 {
-  const int n = t_mesh.surface().number_of_vertices();
+  const int n = number_of_original_vertices(t_mesh.surface());
   std::vector<int> result;
   for (const auto& image : images)
     result.push_back(int(image));

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 #include <CGAL/Quad_layouts/internal/quantization/close_pairs.h>
 
 #include <algorithm>
@@ -46,9 +47,9 @@ class Connection_search
 {
 public:
   // `prefixes`: per trace the numbers of arcs whose sum must be positive, ascending
-  Connection_search(const T_mesh& t_mesh, const std::vector<std::vector<double>>& lengths,
+  Connection_search(const T_mesh& t_mesh, const Runs& runs,
                     const std::vector<std::vector<int>>& prefixes)
-    : m_t_mesh(t_mesh), m_lengths(lengths), m_prefixes(prefixes)
+    : m_t_mesh(t_mesh), m_runs(runs), m_prefixes(prefixes)
   {
   }
 
@@ -93,7 +94,7 @@ private:
     return std::minmax(start_of(visits[0]), start_of(visits[1])) == std::minmax(i, j);
   }
 
-  double length_of(const T_mesh::Visit& v) const { return m_lengths[v.trace][v.arcs]; }
+  double length_of(const T_mesh::Visit& v) const { return m_runs.length({v.trace, v.arcs}); }
 
   bool can_be_zero(const T_mesh::Visit& v) const
   {
@@ -108,7 +109,7 @@ private:
   }
 
   const T_mesh& m_t_mesh;
-  const std::vector<std::vector<double>>& m_lengths;
+  const Runs& m_runs;
   const std::vector<std::vector<int>>& m_prefixes;
 };
 

@@ -7,39 +7,20 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_ZERO_HALF_CUTS_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_ZERO_HALF_CUTS_H
 
+#include <CGAL/Quad_layouts/internal/quantization/Integer_row.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <random>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
-
-// The sum of coefficient * x[column] over the terms is at most `bound`. The terms are sorted.
-struct Integer_row
-{
-  std::vector<std::pair<int, int>> terms; // column, coefficient
-  int bound;
-
-  double slack(const std::vector<double>& x) const
-  {
-    double result = bound;
-    for (const auto& term : terms)
-      result -= term.second * x[term.first];
-    return result;
-  }
-
-  friend bool operator<(const Integer_row& a, const Integer_row& b)
-  {
-    return std::tie(a.terms, a.bound) < std::tie(b.terms, b.bound);
-  }
-};
 
 // Looks for violated {0, 1/2}-cuts (Caprara and Fischetti 1996): where half a sum of rows is rounded
 // down, nothing is lost for non-negative integers. Sums of rows with odd bound and hardly any slack
@@ -79,6 +60,9 @@ private:
     bool bound_is_odd;
     std::vector<int> rows; // sorted
 
+    // more slack than half of the bound's rounding leaves no cut
+    bool is_useful() const { return slack < 1; }
+
     void add(const Combination& other)
     {
       slack += other.slack;
@@ -117,45 +101,60 @@ private:
     return result;
   }
 
+  // One pass over the columns: a combination with an odd coefficient makes it even in all others,
+  // and is used up.
   void eliminate(const std::vector<int>& columns)
   {
     std::vector<Combination> combinations = m_tight;
-    std::vector<char> is_alive(combinations.size(), 1);
     std::vector<std::vector<int>> users(m_x.size()); // per column; some have become even since
-    for (std::size_t k = 0; k < combinations.size(); ++k) {
+    const auto use = [&](int k, const std::vector<int>& odd) {
       note(combinations[k]);
-      for (int j : combinations[k].odd)
-        users[j].push_back(int(k));
-    }
-    for (int j : columns) {
-      std::vector<int> odd;
-      for (int k : users[j])
-        if (is_alive[k] &&
-            std::binary_search(combinations[k].odd.begin(), combinations[k].odd.end(), j))
-          odd.push_back(k);
-      std::sort(odd.begin(), odd.end());
-      odd.erase(std::unique(odd.begin(), odd.end()), odd.end());
+      for (int j : odd)
+        users[j].push_back(k);
+    };
+    for (int k = 0; k < int(combinations.size()); ++k)
+      use(k, combinations[k].odd);
+    for (int column : columns) {
+      const std::vector<int> odd = odd_ones(combinations, users[column], column);
       if (odd.empty())
         continue;
-      const int pivot = *std::min_element(odd.begin(), odd.end(), [&](int a, int b) {
-        const auto key = [&](int k) {
-          return std::make_tuple(combinations[k].slack, combinations[k].odd.size(), k);
-        };
-        return key(a) < key(b);
-      });
-      is_alive[pivot] = 0;
+      const int pivot = pivot_of(combinations, odd);
       for (int k : odd) {
         if (k == pivot)
           continue;
         combinations[k].add(combinations[pivot]);
-        is_alive[k] = combinations[k].slack < 1;
-        if (!is_alive[k])
-          continue;
-        note(combinations[k]);
-        for (int i : combinations[pivot].odd)
-          users[i].push_back(k);
+        if (combinations[k].is_useful())
+          use(k, combinations[pivot].odd);
       }
+      combinations[pivot].slack = 1; // it is used up
     }
+  }
+
+  // those of `candidates`, with repetitions, that have an odd coefficient in `column`, ascending
+  static std::vector<int> odd_ones(const std::vector<Combination>& combinations,
+                                   std::vector<int> candidates, int column)
+  {
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                    [&](int k) {
+                                      const Combination& c = combinations[k];
+                                      return !c.is_useful() ||
+                                             !std::binary_search(c.odd.begin(), c.odd.end(),
+                                                                 column);
+                                    }),
+                     candidates.end());
+    return candidates;
+  }
+
+  // the one with the least slack, of those the one with the fewest odd coefficients
+  static int pivot_of(const std::vector<Combination>& combinations, const std::vector<int>& odd)
+  {
+    const auto key = [&](int k) {
+      return std::make_pair(combinations[k].slack, combinations[k].odd.size());
+    };
+    return *std::min_element(odd.begin(), odd.end(),
+                             [&](int a, int b) { return key(a) < key(b); });
   }
 
   // keeps the cut of a combination if x violates it

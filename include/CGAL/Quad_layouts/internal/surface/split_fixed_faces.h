@@ -62,6 +62,22 @@ inline Triangle_surface split_fixed_faces(const Triangle_surface& surface)
   return result;
 }
 
+// returns the number of faces of the user's mesh
+inline int number_of_original_faces(const Triangle_surface& surface)
+{
+  int result = surface.number_of_faces();
+  while (result > 0 && surface.origin(result - 1) < result - 1)
+    --result;
+  return result;
+}
+
+// returns the number of vertices of the user's mesh: each face that is split adds one, and two faces
+inline int number_of_original_vertices(const Triangle_surface& surface)
+{
+  const int added_faces = surface.number_of_faces() - number_of_original_faces(surface);
+  return surface.number_of_vertices() - added_faces / 2;
+}
+
 } // namespace internal
 } // namespace Quad_layouts
 } // namespace CGAL

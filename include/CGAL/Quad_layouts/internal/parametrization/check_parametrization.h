@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_CHECK_PARAMETRIZATION_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_CHECK_PARAMETRIZATION_H
+
+#include <CGAL/Quad_layouts/Seamless_parametrization.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// These functions know a parametrization only, not how it was made.
+
+using Integer_128 = boost::multiprecision::int128_t;
+
+// twice the area of face f in the map, in squared units
+inline Integer_128 area_in_map(const Seamless_parametrization& map, int f)
+{
+  const auto &p = map.coordinates(3 * f), &q = map.coordinates(3 * f + 1),
+             &r = map.coordinates(3 * f + 2);
+  return Integer_128(q.x() - p.x()) * (r.y() - p.y()) -
+         Integer_128(q.y() - p.y()) * (r.x() - p.x());
+}
+
+// Says what is not exact: a transition that does not take the ends of its edge to where they are on the
+// other side, two opposite ones that are no inverses, a fixed edge without a constant coordinate, or a
+// vertex around which the quarter-turns do not sum to its index. Empty if all is exact.
+inline std::string inexactness(const Seamless_parametrization& map)
+{
+  const Triangle_surface& surface = map.surface();
+  for (int h = 0; h < surface.number_of_halfedges(); ++h) {
+    const int next = Triangle_surface::next(h), g = surface.opposite(h);
+    const std::string where = "the halfedge from vertex " + std::to_string(surface.source(h)) +
+                              " to vertex " + std::to_string(surface.target(h));
+    const auto vector = (map.coordinates(next) - map.coordinates(h)).eval();
+    if (surface.is_fixed(h) && vector.x() != 0 && vector.y() != 0)
+      return where + " is fixed, but has no constant coordinate";
+    if (g < 0)
+      continue;
+    if (map.transition(h)(map.coordinates(h)) != map.coordinates(Triangle_surface::next(g)) ||
+        map.transition(h)(map.coordinates(next)) != map.coordinates(g))
+      return "the transition does not fit " + where;
+    const auto back = map.transition(g).after(map.transition(h));
+    if (back.quarter_turns != 0 || !back.translation.isZero(0))
+      return "the transitions of " + where + " and its opposite are no inverses";
+  }
+  for (int v = 0; v < surface.number_of_vertices(); ++v) {
+    if (surface.halfedge(v) < 0 || surface.is_on_border(v))
+      continue;
+    int turns = 0;
+    surface.for_each_outgoing(
+        v, [&](int h) { turns += map.transition(Triangle_surface::prev(h)).quarter_turns; });
+    if ((turns - map.vertex_index[v]) % 4 != 0)
+      return "the quarter-turns around vertex " + std::to_string(v) + " do not fit its index";
+  }
+  return "";
+}
+
+inline int number_of_inverted_faces(const Seamless_parametrization& map)
+{
+  int result = 0;
+  for (int f = 0; f < map.surface().number_of_faces(); ++f)
+    result += area_in_map(map, f) <= 0;
+  return result;
+}
+
+// The angles of positive triangles around a vertex sum to an integer number of right angles, because the
+// transitions are exact and fixed edges have the directions of axes: so errors of rounding are rounded away.
+inline bool has_right_angle_sum(const Seamless_parametrization& map, int v)
+{
+  constexpr double right_angle = 1.57079632679489661923;
+  double sum = 0;
+  map.surface().for_each_outgoing(v, [&](int h) {
+    const Eigen::Vector2d p = map.point(h), a = map.point(Triangle_surface::next(h)) - p,
+                          b = map.point(Triangle_surface::prev(h)) - p;
+    sum += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  });
+  const int quadrants = (map.surface().is_on_border(v) ? 2 : 4) - map.vertex_index[v];
+  return std::abs(sum / right_angle - quadrants) < 0.5;
+}
+
+inline int number_of_wrong_windings(const Seamless_parametrization& map)
+{
+  int result = 0;
+  for (int v = 0; v < map.surface().number_of_vertices(); ++v)
+    result += map.surface().halfedge(v) >= 0 && !has_right_angle_sum(map, v);
+  return result;
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_CHECK_PARAMETRIZATION_H

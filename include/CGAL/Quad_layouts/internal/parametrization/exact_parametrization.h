@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_EXACT_PARAMETRIZATION_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_EXACT_PARAMETRIZATION_H
+
+#include <CGAL/Quad_layouts/Seamless_parametrization.h>
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// A power of two so small that coordinates take as many bits as exact predicates leave: products of two
+// differences fit into 128 bits, also those of sums of some coordinates.
+inline double unit_for(const Eigen::VectorXd& x)
+{
+  constexpr int bits = 48;
+  int exponent = 0;
+  std::frexp(x.cwiseAbs().maxCoeff(), &exponent);
+  return std::ldexp(1., exponent - bits);
+}
+
+// The unknowns as integers that satisfy all relations: the free ones are rounded to multiples of the common
+// denominator, and the others follow.
+inline std::vector<std::int64_t> rounded_unknowns(const Seam_constraints& seams,
+                                                  const Eigen::VectorXd& x, double unit)
+{
+  constexpr std::int64_t largest_denominator = std::int64_t(1) << 16; // leaves 32 bits of precision
+  const Linear_relations& relations = seams.relations();
+  const std::int64_t denominator = relations.common_denominator();
+  if (denominator > largest_denominator)
+    throw Stage_failure("parametrize_seamlessly: the seams demand the denominator " +
+                        std::to_string(denominator));
+  std::vector<std::int64_t> result(seams.number_of_unknowns(), 0);
+  for (int i = 0; i < seams.number_of_unknowns(); ++i)
+    if (relations.is_free(i))
+      result[i] = denominator * std::int64_t(std::llround(x[i] / (unit * double(denominator))));
+  for (int i = 0; i < seams.number_of_unknowns(); ++i)
+    if (!relations.is_free(i))
+      for (const auto& term : relations.combination(i))
+        result[i] += result[term.first] / term.second.denominator() * term.second.numerator();
+  return result;
+}
+
+// the parametrization with coordinates near to x, without the counts of what is wrong
+inline Seamless_parametrization exact_parametrization(const Cross_field& field,
+                                                      const Cut_graph& cut,
+                                                      const Seam_constraints& seams,
+                                                      const Eigen::VectorXd& x)
+{
+  const Triangle_surface& surface = field.surface();
+  Seamless_parametrization result;
+  result.surface_pointer = field.surface_pointer();
+  result.unit = unit_for(x);
+  const std::vector<std::int64_t> rounded = rounded_unknowns(seams, x, result.unit);
+  for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    result.corner_coordinates.emplace_back(rounded[seams.unknown(h, 0)],
+                                           rounded[seams.unknown(h, 1)]);
+  result.halfedge_transition.resize(surface.number_of_halfedges());
+  for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    if (!surface.is_border(h)) {
+      Seamless_parametrization::Transition& t = result.halfedge_transition[h];
+      t.quarter_turns = cut.quarter_turns(h);
+      const int same_vertex = Triangle_surface::next(surface.opposite(h));
+      t.translation = result.coordinates(same_vertex) - t(result.coordinates(h));
+    }
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    result.vertex_index.push_back(field.index(v));
+  return result;
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_EXACT_PARAMETRIZATION_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_PARAMETRIZE_SEAMLESSLY_H
+#define CGAL_QUAD_LAYOUTS_PARAMETRIZE_SEAMLESSLY_H
+
+#include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/Seamless_parametrization.h>
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Chord_splitter.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Reduced_newton.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
+#include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
+#include <CGAL/Quad_layouts/internal/parametrization/exact_parametrization.h>
+#include <CGAL/Quad_layouts/internal/require_parameter.h>
+#include <CGAL/Quad_layouts/parameters.h>
+#include <CGAL/Quad_layouts/visitor.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+namespace internal {
+
+inline Seamless_parametrization seamless_parametrization(const Cross_field& given,
+                                                         double edge_length, int most_steps,
+                                                         const Monitor& monitor)
+{
+  constexpr double barrier = 0.1;
+  const Cross_field field = Chord_splitter(given).split();
+  const Cut_graph cut(field);
+  const Seam_constraints seams(field.surface(), cut);
+  Aligned_energy energy(field.surface(), cut, seams, edge_length);
+  Reduced_newton newton(seams, energy);
+  newton.align();
+  newton.untangle(barrier, most_steps, monitor);
+  Seamless_parametrization result = exact_parametrization(field, cut, seams, newton.coordinates());
+  const std::string error = inexactness(result);
+  if (!error.empty())
+    throw Stage_failure("parametrize_seamlessly: " + error);
+  result.inverted = number_of_inverted_faces(result);
+  result.wrong_winding = number_of_wrong_windings(result);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+computes a seamless parametrization that follows a cross field.
+
+The surface is cut open to discs along a graph through all singularities. A map of the discs to the
+plane minimises the deviation of its Jacobians from the directions of the field and the target edge
+length (Bommes, Zimmer and Kobbelt, <em>Mixed-integer quadrangulation</em>, 2009), such that both sides
+of each cut are equal up to quarter-turns and translations. These are real, not rounded to integers: the
+parametrization is seamless, but no integer-grid map. Fixed edges of the field's surface get a constant
+coordinate; other edges between two vertices at fixed edges, which could become part of the same line,
+are divided on the surface of the result. Then inverted triangles are turned back by the regularized
+distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
+unknowns of the seamless maps, so that the map stays seamless. At last coordinates are rounded to
+integer multiples of a power of two that satisfy all relations exactly (Mandad and Campen, <em>Exact
+constraint satisfaction for truly seamless parametrization</em>, 2019), which is verified in integers.
+
+The result counts what is not locally injective. There need not be a locally injective map for every
+field and mesh, and not every one that there is will be found.
+
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param field the cross field
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{the length on the surface that a length of 1 in the map aims at}
+    \cgalParamType{double}
+    \cgalParamDefault{1 % of the bounding-box diagonal of the surface}
+    \cgalParamExtra{It must be positive.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the maximum number of steps of the optimization, which ends earlier when the map
+                          is locally injective and hardly changes}
+    \cgalParamType{int}
+    \cgalParamDefault{`100`}
+    \cgalParamExtra{It must be positive.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told the progress, and can stop the work}
+    \cgalParamType{a class like `Default_visitor`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throw Invalid_parameter if a parameter is out of its range.
+\throw Stage_failure if the system of equations cannot be solved, or the relations need numbers that are
+       too large.
+\throw Cancelled if the visitor asks to stop.
+
+The time is dominated by one sparse factorization for each step.
+*/
+template <class NamedParameters = parameters::Default_named_parameters>
+Seamless_parametrization parametrize_seamlessly(
+    const Cross_field& field, const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  const double edge_length = choose_parameter(get_parameter(np, internal_np::target_edge_length),
+                                              0.01 * field.surface().diagonal());
+  const int most_steps = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
+                                          100);
+  internal::require_positive("target_edge_length", edge_length);
+  internal::require_parameter(most_steps >= 1, "number_of_iterations", most_steps, "at least 1");
+
+  const internal::Monitor monitor = internal::monitor_from(np);
+  return monitor.run("parametrize_seamlessly", [&] {
+    return internal::seamless_parametrization(field, edge_length, most_steps, monitor);
+  });
+}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_PARAMETRIZE_SEAMLESSLY_H

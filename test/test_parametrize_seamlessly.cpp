@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#define BOOST_TEST_MODULE parametrize_seamlessly
+#include <boost/test/unit_test.hpp>
+
+#include "generated_meshes.h"
+
+#include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/parametrize_seamlessly.h>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace QL = CGAL::Quad_layouts;
+namespace params = QL::parameters;
+
+using generated::Mesh;
+using generated::Vector;
+using QL::Seamless_parametrization;
+using QL::internal::inexactness;
+
+namespace {
+
+void check(const Seamless_parametrization& map)
+{
+  BOOST_TEST(inexactness(map) == "");
+  BOOST_TEST(map.inverted == 0);
+  BOOST_TEST(map.wrong_winding == 0);
+  BOOST_TEST(map.is_locally_injective());
+  BOOST_TEST(std::exp2(std::round(std::log2(map.unit))) == map.unit);
+}
+
+Seamless_parametrization checked_map(const QL::Cross_field& field, double edge_length)
+{
+  const Seamless_parametrization map = QL::parametrize_seamlessly(
+      field, params::target_edge_length(edge_length));
+  check(map);
+  return map;
+}
+
+// the largest relative error of the length of an edge in the map
+double distortion(const Seamless_parametrization& map, double edge_length)
+{
+  double result = 0;
+  for (int h = 0; h < map.surface().number_of_halfedges(); ++h) {
+    const double in_map = (map.point(map.surface().next(h)) - map.point(h)).norm();
+    result = (std::max)(result, std::abs(in_map * edge_length / map.surface().length(h) - 1));
+  }
+  return result;
+}
+
+QL::Cross_field field_along_features(Mesh& mesh)
+{
+  const auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 40, is_sharp);
+  return QL::compute_cross_field(mesh, params::default_values().edge_is_constrained_map(is_sharp));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(relations_by_hand)
+{
+  using QL::internal::Linear_relations;
+  Linear_relations relations(4);
+  relations.add({{0, 1}, {1, -1}, {2, -1}}); // x0 = x1 + x2
+  relations.add({{0, 1}, {1, 1}, {3, -2}});  // x0 + x1 = 2 x3
+  relations.add({{0, 2}, {2, -1}, {3, -2}}); // follows from the others
+  relations.finish();
+  int number_of_free = 0;
+  for (int i = 0; i < 4; ++i)
+    number_of_free += relations.is_free(i);
+  BOOST_TEST(number_of_free == 2);
+
+  // whatever the free unknowns are, if they are multiples of the denominator, all are integers
+  const std::int64_t d = relations.common_denominator();
+  std::vector<std::int64_t> x(4);
+  for (int i = 0; i < 4; ++i)
+    if (relations.is_free(i))
+      x[i] = d * (5 * i + 3);
+  for (int i = 0; i < 4; ++i)
+    if (!relations.is_free(i)) {
+      Linear_relations::Number sum = 0;
+      for (const auto& term : relations.combination(i)) {
+        BOOST_TEST(relations.is_free(term.first));
+        sum += term.second * x[term.first];
+      }
+      BOOST_TEST(sum.denominator() == 1);
+      x[i] = sum.numerator();
+    }
+  BOOST_TEST(x[0] == x[1] + x[2]);
+  BOOST_TEST(x[0] + x[1] == 2 * x[3]);
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_of_the_distortion)
+{
+  using QL::internal::Regularized_distortion;
+  const auto matrix = [](const Eigen::Vector4d& v) {
+    Eigen::Matrix2d j;
+    j << v[0], v[2], v[1], v[3];
+    return j;
+  };
+  for (const Eigen::Vector4d& v :
+       {Eigen::Vector4d(1, 0.2, -0.3, 0.8), Eigen::Vector4d(0.7, 0.1, 0.4, -0.5)})
+    for (const double epsilon : {0., 0.3}) {
+      if (epsilon == 0 && matrix(v).determinant() <= 0)
+        continue;
+      const Regularized_distortion distortion(epsilon);
+      Eigen::Vector4d gradient;
+      Eigen::Matrix4d hessian;
+      distortion.derivatives(matrix(v), gradient, hessian);
+      for (int i = 0; i < 4; ++i) {
+        constexpr double step = 1e-5;
+        const Eigen::Vector4d up = v + step * Eigen::Vector4d::Unit(i),
+                              down = v - step * Eigen::Vector4d::Unit(i);
+        Eigen::Vector4d gradient_up, gradient_down;
+        Eigen::Matrix4d unused;
+        distortion.derivatives(matrix(up), gradient_up, unused);
+        distortion.derivatives(matrix(down), gradient_down, unused);
+        const double slope = (distortion.value(matrix(up)) - distortion.value(matrix(down))) /
+                             (2 * step);
+        BOOST_TEST(slope == gradient[i], boost::test_tools::tolerance(1e-6));
+        BOOST_TEST(((gradient_up - gradient_down) / (2 * step) - hessian.col(i)).norm() <
+                   1e-6 * hessian.norm());
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(flat_plates_are_kept)
+{
+  // with a hole, around which no transition turns
+  const Mesh mesh = generated::plate_with_holes(3, 3, {{1, 1}}, 4);
+  const Seamless_parametrization map = checked_map(QL::compute_cross_field(mesh), 0.1);
+  BOOST_TEST(distortion(map, 0.1) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(cubes_are_unfolded)
+{
+  for (const bool has_features : {false, true}) {
+    Mesh mesh = generated::cube(4);
+    const QL::Cross_field field = has_features ? field_along_features(mesh)
+                                               : QL::compute_cross_field(mesh);
+    const Seamless_parametrization map = checked_map(field, 0.1);
+    BOOST_TEST(distortion(map, 0.1) < 1e-2);
+    int cones = 0;
+    for (const int index : map.vertex_index)
+      cones += index != 0;
+    BOOST_TEST(cones == 8);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(curved_surfaces)
+{
+  for (const Mesh& mesh :
+       {generated::icosphere(3), generated::torus(24, 12), generated::slab_with_holes(2, 3),
+        generated::noisy(generated::icosphere(3), 0.05, 3), generated::tetrahedron(),
+        generated::disjoint_union(generated::icosphere(2),
+                                  generated::translated(generated::cube(3), Vector(9, 0, 0)))})
+    checked_map(QL::compute_cross_field(mesh), 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_with_borders)
+{
+  for (const Mesh& mesh : {generated::disc(8), generated::annulus(0.5, 1, 6, 40),
+                           generated::plate_with_holes(4, 3, {{1, 1}, {2, 1}}, 2)})
+    checked_map(QL::compute_cross_field(mesh), 0.1);
+}
+
+// The diagonals of the sides of a cube join vertices of its edges, which are all fixed.
+BOOST_AUTO_TEST_CASE(chords_are_divided)
+{
+  Mesh mesh = generated::cube(1);
+  const QL::Cross_field field = field_along_features(mesh);
+  const QL::Cross_field divided = QL::internal::Chord_splitter(field).split();
+  const auto& surface = divided.surface();
+  BOOST_TEST(surface.number_of_faces() > field.surface().number_of_faces());
+  BOOST_TEST(divided.index_sum() == field.index_sum());
+  int fixed = 0;
+  for (int h = 0; h < surface.number_of_halfedges(); ++h) {
+    BOOST_TEST((divided.matching(h) + divided.matching(surface.opposite(h))) % 4 == 0);
+    const int source = surface.source(h), target = surface.target(h);
+    if (!surface.is_fixed(h))
+      BOOST_TEST((surface.number_of_fixed_edges(source) == 0 ||
+                  surface.number_of_fixed_edges(target) == 0));
+    fixed += surface.is_fixed(h);
+  }
+  BOOST_TEST(fixed == 24);
+  // the parts of a side have the same cross, of which any direction may be the first
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    const Eigen::Vector3d x = field.direction(surface.origin(f), 0);
+    const double along = divided.direction(f, 0).dot(x), across = divided.direction(f, 1).dot(x);
+    BOOST_TEST(std::abs(along * across) < 1e-9);
+  }
+  const Seamless_parametrization map = checked_map(field, 0.1);
+  BOOST_TEST(distortion(map, 0.1) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(features_inside)
+{
+  Mesh slab = generated::slab_with_holes(1, 3);
+  checked_map(field_along_features(slab), 0.1);
+}
+
+// fields with many singularities need inverted triangles to be turned back
+BOOST_AUTO_TEST_CASE(inverted_triangles_are_turned_back)
+{
+  const QL::Cross_field field = QL::compute_cross_field(
+      generated::noisy(generated::icosphere(3), 0.15, 3));
+  const QL::internal::Cut_graph cut(field);
+  const QL::internal::Seam_constraints seams(field.surface(), cut);
+  QL::internal::Aligned_energy energy(field.surface(), cut, seams, 0.05);
+  QL::internal::Reduced_newton newton(seams, energy);
+  newton.align();
+  BOOST_TEST(energy.least_determinant(newton.coordinates()) < 0);
+  checked_map(field, 0.05);
+}
+
+BOOST_AUTO_TEST_CASE(lengths_scale)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::icosphere(3));
+  const Seamless_parametrization a = checked_map(field, 0.1), b = checked_map(field, 0.2);
+  for (int h = 0; h < field.surface().number_of_halfedges(); ++h)
+    BOOST_TEST((a.point(h) - 2 * b.point(h)).norm() < 1e-3 * (1 + a.point(h).norm()));
+}
+
+BOOST_AUTO_TEST_CASE(errors_are_found)
+{
+  const Seamless_parametrization good = checked_map(QL::compute_cross_field(generated::cube(3)),
+                                                    0.1);
+  const auto expect = [&](const std::function<void(Seamless_parametrization&)>& spoil,
+                          const std::string& words) {
+    Seamless_parametrization bad = good;
+    spoil(bad);
+    BOOST_TEST(inexactness(bad).find(words) != std::string::npos, inexactness(bad));
+  };
+  expect([](auto& map) { map.corner_coordinates[7].x() += 1; }, "transition does not fit");
+  expect([](auto& map) { map.halfedge_transition[5].translation.y() += 1; },
+         "transition does not fit");
+  expect([](auto& map) { map.vertex_index[0] += 1; }, "around vertex 0");
+
+  Seamless_parametrization inverted = good;
+  inverted.corner_coordinates[1] = inverted.corner_coordinates[0];
+  BOOST_TEST(QL::internal::number_of_inverted_faces(inverted) == 1);
+  Seamless_parametrization wound = good;
+  wound.vertex_index[3] += 4;
+  BOOST_TEST(inexactness(wound) == "");
+  BOOST_TEST(QL::internal::number_of_wrong_windings(wound) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(same_answer_twice)
+{
+  const QL::Cross_field field = QL::compute_cross_field(
+      generated::noisy(generated::icosphere(2), 0.05, 5));
+  const Seamless_parametrization a = checked_map(field, 0.1), b = checked_map(field, 0.1);
+  BOOST_TEST((a.corner_coordinates == b.corner_coordinates));
+}
+
+BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::tetrahedron());
+  BOOST_CHECK_THROW(QL::parametrize_seamlessly(field, params::target_edge_length(0)),
+                    QL::Invalid_parameter);
+  BOOST_CHECK_THROW(QL::parametrize_seamlessly(field, params::number_of_iterations(0)),
+                    QL::Invalid_parameter);
+}
+
+BOOST_AUTO_TEST_CASE(visitor_can_stop)
+{
+  struct Visitor : QL::Default_visitor
+  {
+    bool go_on() { return false; }
+  } visitor;
+  const QL::Cross_field field = QL::compute_cross_field(generated::icosphere(2));
+  BOOST_CHECK_THROW(QL::parametrize_seamlessly(field, params::visitor(std::ref(visitor))),
+                    QL::Cancelled);
+}
+
+BOOST_AUTO_TEST_CASE(real_meshes)
+{
+  for (const char* name : {"elk", "hand", "knot1", "rotor"}) {
+    std::ifstream in(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+    Mesh mesh;
+    if (!(in >> mesh)) {
+      BOOST_TEST_MESSAGE(name << " skipped");
+      continue;
+    }
+    check(QL::parametrize_seamlessly(QL::compute_cross_field(mesh)));
+  }
+}
