@@ -39,6 +39,20 @@ inline int euler_characteristic(const T_mesh::Surface& surface)
   return nv - isolated - surface.number_of_edges() + surface.number_of_faces();
 }
 
+inline int number_of_borders(const Halfedge_complex& c)
+{
+  std::vector<char> is_known(c.number_of_halfedges(), 0);
+  int result = 0;
+  for (int h = 0; h < c.number_of_halfedges(); ++h) {
+    if (is_known[h] || !c.is_border(h))
+      continue;
+    ++result;
+    for (int g = h; !is_known[g]; g = c.next(g))
+      is_known[g] = 1;
+  }
+  return result;
+}
+
 inline void check_halfedge_complex(const Halfedge_complex& c)
 {
   const int nh = c.number_of_halfedges(), nv = c.number_of_vertices(), nf = c.number_of_faces();

@@ -38,26 +38,12 @@ using generated::Mesh;
 
 namespace {
 
-int number_of_borders(const QL::Halfedge_complex& c)
-{
-  std::vector<char> is_known(c.number_of_halfedges(), 0);
-  int result = 0;
-  for (int h = 0; h < c.number_of_halfedges(); ++h) {
-    if (is_known[h] || !c.is_border(h))
-      continue;
-    ++result;
-    for (int g = h; !is_known[g]; g = c.next(g))
-      is_known[g] = 1;
-  }
-  return result;
-}
-
 // the sum of the indices of layout vertices, and that of the T-mesh
 void check_layout(const QL::T_mesh& t, const QL::Quad_layout& layout)
 {
   invariants::check_halfedge_complex(layout);
   BOOST_TEST(layout.euler_characteristic() == t.euler_characteristic());
-  BOOST_TEST(number_of_borders(layout) == number_of_borders(t));
+  BOOST_TEST(invariants::number_of_borders(layout) == invariants::number_of_borders(t));
   int index_sum = 0;
   for (int v = 0; v < layout.number_of_vertices(); ++v) {
     index_sum += layout.index(v);

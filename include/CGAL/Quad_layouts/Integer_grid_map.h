@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTEGER_GRID_MAP_H
 #define CGAL_QUAD_LAYOUTS_INTEGER_GRID_MAP_H
 
+#include <CGAL/Quad_layouts/Chart_transition.h>
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
@@ -39,33 +40,8 @@ public:
   using Surface = internal::Triangle_surface;
   using Point_2 = Eigen::Vector2d;
 
-  /// is a change of chart: x goes to (x turned left by `quarter_turns`) + `translation`.
-  struct Transition
-  {
-    int quarter_turns = 0;                                 ///< 0 to 3
-    Eigen::Vector2d translation = Eigen::Vector2d::Zero(); ///< integers
-
-    static Point_2 turned(const Point_2& x, int quarter_turns)
-    {
-      switch (quarter_turns & 3) {
-        case 0: return x;
-        case 1: return Point_2(-x.y(), x.x());
-        case 2: return -x;
-        default: return Point_2(x.y(), -x.x());
-      }
-    }
-    Point_2 operator()(const Point_2& x) const { return turned(x, quarter_turns) + translation; }
-    /// returns the change that applies `first` and then this one.
-    Transition after(const Transition& first) const
-    {
-      return {(quarter_turns + first.quarter_turns) & 3,
-              turned(first.translation, quarter_turns) + translation};
-    }
-    Transition inverse() const
-    {
-      return {(4 - quarter_turns) & 3, -turned(translation, 4 - quarter_turns)};
-    }
-  };
+  /// is a change of chart, with integer translation.
+  using Transition = Chart_transition<double>;
 
   /// ties a surface vertex to a layout vertex, and a direction there to a layout edge.
   struct Anchor

@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_SEAMLESS_PARAMETRIZATION_H
 #define CGAL_QUAD_LAYOUTS_SEAMLESS_PARAMETRIZATION_H
 
+#include <CGAL/Quad_layouts/Chart_transition.h>
 #include <CGAL/Quad_layouts/Cross_field.h>
 
 #include <Eigen/Core>
@@ -37,29 +38,8 @@ public:
   using Integer = std::int64_t;
   using Point_2 = Eigen::Matrix<Integer, 2, 1>;
 
-  /// is a change of chart: x goes to (x turned left by `quarter_turns`) + `translation`.
-  struct Transition
-  {
-    int quarter_turns = 0;                 ///< 0 to 3
-    Point_2 translation = Point_2::Zero(); ///< in units
-
-    static Point_2 turned(const Point_2& x, int quarter_turns)
-    {
-      switch (quarter_turns & 3) {
-        case 0: return x;
-        case 1: return Point_2(-x.y(), x.x());
-        case 2: return -x;
-        default: return Point_2(x.y(), -x.x());
-      }
-    }
-    Point_2 operator()(const Point_2& x) const { return turned(x, quarter_turns) + translation; }
-    /// returns the change that applies `first` and then this one.
-    Transition after(const Transition& first) const
-    {
-      return {(quarter_turns + first.quarter_turns) & 3,
-              turned(first.translation, quarter_turns) + translation};
-    }
-  };
+  /// is a change of chart, in units.
+  using Transition = Chart_transition<Integer>;
 
   const Surface& surface() const { return *surface_pointer; }
   /// returns the coordinates, in units, of the corner at the source of halfedge `h` in the chart of the
