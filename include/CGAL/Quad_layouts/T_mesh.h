@@ -110,7 +110,7 @@ public:
   /// @{
   std::shared_ptr<const Surface> surface_pointer;
   std::vector<double>
-      arc_length; ///< in the metric of the field; for a unit field, length on the surface
+      arc_length; ///< on the surface; in a parametrization that of the map, and exact
   std::vector<int> arc_trace;
   std::vector<char> halfedge_is_corner;
   std::vector<int> node_surface_vertex;

@@ -40,7 +40,8 @@ inline Seamless_parametrization seamless_parametrization(const Cross_field& give
   Reduced_newton newton(seams, energy);
   newton.align();
   newton.untangle(barrier, most_steps, monitor);
-  Seamless_parametrization result = exact_parametrization(field, cut, seams, newton.coordinates());
+  Seamless_parametrization result = exact_parametrization(field, cut, seams, newton.coordinates(),
+                                                          edge_length);
   const std::string error = inexactness(result);
   if (!error.empty())
     throw Stage_failure("parametrize_seamlessly: " + error);
