@@ -91,6 +91,11 @@ field and mesh, and not every one that there is will be found.
     \cgalParamDefault{`100`}
     \cgalParamExtra{It must be positive.}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{when to give up, in seconds}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{unlimited}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told the progress, and can stop the work}
     \cgalParamType{a class like `Default_visitor`}
@@ -101,6 +106,7 @@ field and mesh, and not every one that there is will be found.
 \throw Invalid_parameter if a parameter is out of its range.
 \throw Stage_failure if the system of equations cannot be solved, or the relations need numbers that are
        too large.
+\throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
 The time is dominated by one sparse factorization for each step.

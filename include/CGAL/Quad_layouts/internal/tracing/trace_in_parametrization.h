@@ -63,6 +63,7 @@ inline T_mesh trace_in_parametrization(const Seamless_parametrization& map, doub
   T_mesh result = trace_motorcycles<Isoline_chords>(map.surface_pointer, map, labels, tangent,
                                                     displacement, monitor);
   check_opposite_sides(result);
+  result.route = PARAMETRIZATION;
   return result;
 }
 
