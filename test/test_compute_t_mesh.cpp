@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(too_little_time_for_a_parametrization)
     BOOST_TEST(QL::compute_t_mesh(field, np).route == QL::FIELD);
   } catch (const QL::Time_limit_exceeded&) {
   }
-  BOOST_TEST(diary.reason.find("not done within the time limit") != std::string::npos, diary.reason);
+  BOOST_TEST(diary.reason.find("not done within the time limit") != std::string::npos,
+             diary.reason);
 }
 
 // what comes afterwards needs to know nothing about routes

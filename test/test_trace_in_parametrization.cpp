@@ -126,7 +126,8 @@ QL::Cross_field field_along_features(Mesh& mesh)
 {
   const auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 40, is_sharp);
-  return QL::compute_cross_field(mesh, parameters::default_values().edge_is_constrained_map(is_sharp));
+  return QL::compute_cross_field(mesh,
+                                 parameters::default_values().edge_is_constrained_map(is_sharp));
 }
 
 } // namespace
@@ -136,8 +137,8 @@ QL::Cross_field field_along_features(Mesh& mesh)
 BOOST_AUTO_TEST_CASE(lines_on_one_coordinate)
 {
   const Point_2 source(8, -1), target(8, 1);
-  const Isoline_cut near(Isoline{{5, 0}, 0}, source, target), far(Isoline{{4, 0}, 0}, source, target),
-      back(Isoline{{9, 0}, 2}, source, target);
+  const Isoline_cut near(Isoline{{5, 0}, 0}, source, target),
+      far(Isoline{{4, 0}, 0}, source, target), back(Isoline{{9, 0}, 2}, source, target);
   for (const Isoline_cut& cut : {near, far, back})
     BOOST_TEST(cut.fraction() == 0.5);
   BOOST_TEST(near.length() == 3);
@@ -219,8 +220,8 @@ BOOST_AUTO_TEST_CASE(cubes_of_squares)
         check_stopping_rule(t, alpha, r);
         // all lines run along edges of the cube and through its vertices
         BOOST_TEST(invariants::violations(t.number_of_edges(), [&](int a) {
-          return std::floor(t.length(a)) == t.length(a);
-        }) == 0);
+                     return std::floor(t.length(a)) == t.length(a);
+                   }) == 0);
       }
 }
 
@@ -256,15 +257,19 @@ BOOST_AUTO_TEST_CASE(features_are_patches)
 BOOST_AUTO_TEST_CASE(generated_surfaces)
 {
   std::vector<Mesh> meshes = {
-      generated::tetrahedron(), generated::icosphere(3), generated::torus(24, 12),
-      generated::cube(3), generated::slab_with_holes(2, 3),
+      generated::tetrahedron(),
+      generated::icosphere(3),
+      generated::torus(24, 12),
+      generated::cube(3),
+      generated::slab_with_holes(2, 3),
       generated::noisy(generated::icosphere(3), 0.1, 3),
       generated::disjoint_union(generated::icosphere(2),
                                 generated::translated(generated::cube(3), {9, 0, 0}))};
   for (const Mesh& mesh : generated::meshes_with_borders(4))
     meshes.push_back(mesh);
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    BOOST_TEST_CONTEXT("mesh " << i) {
+    BOOST_TEST_CONTEXT("mesh " << i)
+    {
       const Map map = QL::parametrize_seamlessly(QL::compute_cross_field(meshes[i]));
       if (map.is_locally_injective())
         for (const double alpha : {5., 15., 60.})
@@ -308,7 +313,8 @@ BOOST_AUTO_TEST_CASE(models)
       BOOST_TEST_MESSAGE(name << " skipped");
       continue;
     }
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const QL::T_mesh t = trace(QL::parametrize_seamlessly(QL::compute_cross_field(mesh)));
       if (is_closed(mesh))
         check_stopping_rule(t, 15, 2);

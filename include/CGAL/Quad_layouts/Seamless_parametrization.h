@@ -60,7 +60,7 @@ public:
   /// \name The arrays
   /// @{
   std::shared_ptr<const Surface> surface_pointer;
-  double unit = 1;        ///< a power of two: the length of an integer step, like lengths on the surface
+  double unit = 1; ///< a power of two: the length of an integer step, like lengths on the surface
   double edge_length = 1; ///< the target edge length
   std::vector<Point_2> corner_coordinates;
   std::vector<Transition> halfedge_transition;

@@ -10,18 +10,11 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Chord_splitter.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Reduced_newton.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
-#include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
-#include <CGAL/Quad_layouts/internal/parametrization/exact_parametrization.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Seamless_optimization.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
-
-#include <string>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -32,22 +25,11 @@ inline Seamless_parametrization seamless_parametrization(const Cross_field& give
                                                          double edge_length, int most_steps,
                                                          const Monitor& monitor)
 {
-  constexpr double barrier = 0.1;
   const Cross_field field = Chord_splitter(given).split();
-  const Cut_graph cut(field);
-  const Seam_constraints seams(field.surface(), cut);
-  Aligned_energy energy(field.surface(), cut, seams, edge_length);
-  Reduced_newton newton(seams, energy);
-  newton.align();
-  newton.untangle(barrier, most_steps, monitor);
-  Seamless_parametrization result = exact_parametrization(field, cut, seams, newton.coordinates(),
-                                                          edge_length);
-  const std::string error = inexactness(result);
-  if (!error.empty())
-    throw Stage_failure("parametrize_seamlessly: " + error);
-  result.inverted = number_of_inverted_faces(result);
-  result.wrong_winding = number_of_wrong_windings(result);
-  return result;
+  Seamless_optimization optimization(field, edge_length, most_steps, monitor);
+  optimization.align();
+  optimization.repair_windings();
+  return optimization.result();
 }
 
 } // namespace internal
@@ -65,7 +47,9 @@ parametrization is seamless, but no integer-grid map. Fixed edges of the field's
 coordinate; other edges between two vertices at fixed edges, which could become part of the same line,
 are divided on the surface of the result. Then inverted triangles are turned back by the regularized
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
-unknowns of the seamless maps, so that the map stays seamless. At last coordinates are rounded to
+unknowns of the seamless maps, so that the map stays seamless. Vertices of valence 5 and more around which
+triangles cover the wrong angle get their triangles spread over the right one first, and then the same is
+done again. At last coordinates are rounded to
 integer multiples of a power of two that satisfy all relations exactly (Mandad and Campen, <em>Exact
 constraint satisfaction for truly seamless parametrization</em>, 2019), which is verified in integers.
 

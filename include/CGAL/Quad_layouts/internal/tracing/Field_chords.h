@@ -24,7 +24,8 @@ namespace internal {
 class Field_chords : public Chords
 {
 public:
-  Field_chords(const Cross_field& field, const Labels& labels) : Chords(labels), m_map(field, labels)
+  Field_chords(const Cross_field& field, const Labels& labels)
+    : Chords(labels), m_map(field, labels)
   {
   }
 
@@ -57,8 +58,8 @@ private:
   bool is_on_exit(const Chord& c, const Place& place) const
   {
     const int h = 3 * c.face + place.slot / 2;
-    return labels().leaves(h, c.direction)
-        && (place.is_side() || labels().leaves(Labels::Surface::prev(h), c.direction));
+    return labels().leaves(h, c.direction) &&
+           (place.is_side() || labels().leaves(Labels::Surface::prev(h), c.direction));
   }
 
   // says if chord c may cross chord d, given where c begins
@@ -71,24 +72,23 @@ private:
   void choose_exit(Chord& c, Interval_map::Position proposal)
   {
     const Place from = place_of_start(c);
-    Limit first, last;    // the exit lies between them, counter-clockwise from the chord's begin
+    Limit first, last; // the exit lies between them, counter-clockwise from the chord's begin
     for (int i : chords_in(c.face)) {
       const Chord& d = chord(i);
       Limit a{true, place_of_start(d), d.from.point}, b{true, place(d.to), d.to.point};
-      const bool right = !counter_clockwise(from, a.place, b.place);   // c begins on the right of d
+      const bool right = !counter_clockwise(from, a.place, b.place); // c begins on the right of d
       if (may_cross(c, right, d))
         continue;
       if (right)
         std::swap(a, b);
-      if (is_on_exit(c, a.place)
-          && (!last.exists || counter_clockwise(from, a.place, last.place)))
+      if (is_on_exit(c, a.place) && (!last.exists || counter_clockwise(from, a.place, last.place)))
         last = a;
-      if (is_on_exit(c, b.place)
-          && (!first.exists || counter_clockwise(from, first.place, b.place)))
+      if (is_on_exit(c, b.place) &&
+          (!first.exists || counter_clockwise(from, first.place, b.place)))
         first = b;
     }
-    CGAL_assertion(!first.exists || !last.exists
-                   || counter_clockwise(from, first.place, last.place));
+    CGAL_assertion(!first.exists || !last.exists ||
+                   counter_clockwise(from, first.place, last.place));
     apply_limits(from, first, last, proposal);
     c.to = {proposal.halfedge, insert(proposal, first, last)};
   }

@@ -84,7 +84,7 @@ public:
                                 Integer_128(m_source.y()) * m_vector.x();
     const Integer_128 quotient = product / m_vector.y(), rest = product % m_vector.y();
     return static_cast<Integer>(rest != 0 && (rest < 0) != (m_vector.y() < 0) ? quotient - 1
-                                                                                : quotient);
+                                                                              : quotient);
   }
 
   // Says if this cut of a segment is nearer to its source than another one. Turned right by an angle with

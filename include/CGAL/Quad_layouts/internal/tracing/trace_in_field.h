@@ -21,8 +21,8 @@ namespace internal {
 inline T_mesh trace_in_field(const Cross_field& field, double tangent, double displacement,
                              const Monitor& monitor)
 {
-  return trace_motorcycles<Field_chords>(field.surface_pointer(), field, make_labels(field), tangent,
-                                         displacement, monitor);
+  return trace_motorcycles<Field_chords>(field.surface_pointer(), field, make_labels(field),
+                                         tangent, displacement, monitor);
 }
 
 } // namespace internal

@@ -73,8 +73,8 @@ T_mesh trace_motorcycles(const std::shared_ptr<const Triangle_surface>& surface,
     // A trace that runs through a region without singularities meets those of a seed there.
     const int seed = seed_beside(labels, lonely);
     if (seed < 0 || std::find(seeds.begin(), seeds.end(), seed) != seeds.end())
-      throw Stage_failure("trace_motorcycle_graph: a trace in face " + std::to_string(lonely)
-                          + " finds no other to stop at");
+      throw Stage_failure("trace_motorcycle_graph: a trace in face " + std::to_string(lonely) +
+                          " finds no other to stop at");
     seeds.push_back(seed);
     is_hasty.clear(); // traces are numbered by their starts
   }
