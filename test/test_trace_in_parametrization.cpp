@@ -14,10 +14,10 @@
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <random>
 #include <string>
@@ -150,17 +150,20 @@ BOOST_AUTO_TEST_CASE(lines_on_one_coordinate)
   BOOST_TEST((far < back));
 }
 
-// of lines turned by a small, but positive angle
+// compared with lines that are turned by a small, but positive angle
 BOOST_AUTO_TEST_CASE(order_of_cuts_is_that_of_turned_lines)
 {
-  using Rational = boost::multiprecision::cpp_rational;
+  constexpr std::int64_t cotangent = 1000000;
   std::mt19937 random(1);
   const auto number = [&] { return Isoline::Integer(random() % 7) - 3; };
-  const Rational tangent(1, 1000000);
+  struct Fraction
+  {
+    std::int64_t numerator, denominator; // positive
+  };
   const auto cut_of = [&](const Isoline& line, const Point_2& p, const Point_2& q) {
     const Point_2 a = line.seen(p), b = line.seen(q);
-    const Rational at_p = a.y() + tangent * a.x(), at_q = b.y() + tangent * b.x();
-    return Rational(at_p / (at_p - at_q));
+    const std::int64_t at_p = cotangent * a.y() + a.x(), at_q = cotangent * b.y() + b.x();
+    return at_p > at_q ? Fraction{at_p, at_p - at_q} : Fraction{-at_p, at_q - at_p};
   };
   int compared = 0, wrong = 0;
   while (compared < 20000) {
@@ -169,12 +172,13 @@ BOOST_AUTO_TEST_CASE(order_of_cuts_is_that_of_turned_lines)
         b{{number(), number()}, int(random() % 4)};
     if (a.seen(p).y() == a.seen(q).y() || b.seen(p).y() == b.seen(q).y())
       continue;
-    const Rational s = cut_of(a, p, q), t = cut_of(b, p, q);
-    if (s == t)
+    const Fraction s = cut_of(a, p, q), t = cut_of(b, p, q);
+    const std::int64_t difference = s.numerator * t.denominator - t.numerator * s.denominator;
+    if (difference == 0)
       continue;
     ++compared;
     const Isoline_cut first(a, p, q), second(b, p, q);
-    wrong += (first < second) != (s < t) || (second < first) != (t < s);
+    wrong += (first < second) != (difference < 0) || (second < first) != (difference > 0);
   }
   BOOST_TEST(wrong == 0);
 }
