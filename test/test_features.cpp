@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE features
 #include <boost/test/unit_test.hpp>
 
 #include "generated_fields.h"
@@ -26,6 +25,8 @@
 #include <vector>
 
 // Feature curves, on their way through all stages.
+
+BOOST_AUTO_TEST_SUITE(test_features)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -178,3 +179,5 @@ BOOST_AUTO_TEST_CASE(circle_on_a_plate)
                        }));
   BOOST_TEST(r.layout.number_of_irregular_vertices() == 4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

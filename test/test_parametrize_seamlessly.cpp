@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE parametrize_seamlessly
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -19,6 +18,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_parametrize_seamlessly)
 
 namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
@@ -295,3 +296,5 @@ BOOST_AUTO_TEST_CASE(real_meshes)
     check(QL::parametrize_seamlessly(QL::compute_cross_field(mesh)));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
