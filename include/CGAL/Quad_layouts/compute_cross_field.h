@@ -14,7 +14,7 @@
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
-#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
+#include <CGAL/Quad_layouts/internal/surface/separate_fixed_curves.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
@@ -51,8 +51,10 @@ the one that turns the field least. A given field keeps its directions; only the
 indices are computed.
 
 Along *fixed* edges, which are those on the border and the constrained ones, the field always has the
-direction of the edges, also where another direction is prescribed or given. Faces with several fixed
-edges are divided in three on the field's surface.
+direction of the edges, also where another direction is prescribed or given. Between two of them that
+follow each other around a vertex it has a quadrant at least, however acute the angle is. On the
+field's surface, other edges that join two vertices of fixed ones are divided, and so are faces with
+three fixed edges: a field needs room.
 
 The indices of the field sum to four times the Euler characteristic. The components of the mesh do
 not influence one another, neither do scale and position; and the same input has the same output on
@@ -165,7 +167,7 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
     internal::Triangle_surface whole = internal::make_triangle_surface(tm, points);
     internal::fix_constrained_edges(tm, is_constrained, whole);
     const auto surface = std::make_shared<const internal::Triangle_surface>(
-      internal::split_fixed_faces(whole));
+      internal::separate_fixed_curves(whole));
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);
   });

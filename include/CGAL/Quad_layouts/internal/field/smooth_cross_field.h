@@ -14,6 +14,7 @@
 #include <CGAL/Quad_layouts/internal/field/curvature.h>
 #include <CGAL/Quad_layouts/internal/field/face_vectors.h>
 #include <CGAL/Quad_layouts/internal/field/matching.h>
+#include <CGAL/Quad_layouts/internal/field/sectors.h>
 
 #include <CGAL/assertions.h>
 
@@ -67,7 +68,8 @@ inline Cross_field given_cross_field(const std::shared_ptr<const Triangle_surfac
     angles.push_back(aligned_angle(
       *surface, f,
       projected_angle(*surface, f, directions[surface->origin(f)], "face_direction_map")));
-  const std::vector<int> jumps = principal_period_jumps(connection, angles);
+  std::vector<int> jumps = principal_period_jumps(connection, angles);
+  open_sectors(connection, angles, jumps);
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 
@@ -126,6 +128,7 @@ inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surfa
 
   std::vector<double> angles = diffused_angles(connection, fixed, options, monitor);
   std::vector<int> jumps = principal_period_jumps(connection, angles);
+  open_sectors(connection, angles, jumps);
   Singularity_splitter(connection, angles, jumps, is_fixed).split();
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }
