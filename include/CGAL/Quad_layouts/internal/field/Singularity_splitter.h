@@ -99,7 +99,8 @@ private:
   bool would_close_a_sector(int h) const
   {
     const int first = m_surface.is_fixed(h) ? -1 : sector_of(m_surface, h);
-    return first >= 0 && number_of_quadrants(m_connection, m_angle, m_jump, first) <= 1;
+    return first >= 0 && number_of_quadrants(m_connection, m_angle, m_jump, first) <=
+                             least_number_of_quadrants(sector_angle(m_connection, first));
   }
 
   // the free faces within four rings about v, in the order of a breadth-first search

@@ -43,19 +43,36 @@ inline std::vector<int> inside_of_sector(const Triangle_surface& surface, int h)
   return result;
 }
 
+// returns the angle of the surface in the sector of h
+inline double sector_angle(const Face_connection& connection, int h)
+{
+  double result = connection.corner_angle(h);
+  for (int g : inside_of_sector(connection.surface(), h))
+    result += connection.corner_angle(g);
+  return result;
+}
+
+// returns the quadrants that a sector with this angle needs at least, such that the quads there can be
+// convex
+inline int least_number_of_quadrants(double sector_angle)
+{
+  constexpr double widest = 5. / 3 * right_angle;
+  return (std::max)(1, int(std::ceil(sector_angle / widest)));
+}
+
 // returns the quadrants of the field in the sector of h; up to rounding errors it is an integer
 inline int number_of_quadrants(const Face_connection& connection, const std::vector<double>& angles,
                                const std::vector<int>& jumps, int h)
 {
-  double turn = connection.corner_angle(h);
+  double turn = sector_angle(connection, h);
   for (int g : inside_of_sector(connection.surface(), h))
-    turn += connection.corner_angle(g) + rotation(connection, angles, jumps, g);
+    turn += rotation(connection, angles, jumps, g);
   return int(std::lround(turn / right_angle));
 }
 
-// Lets the field have at least one quadrant in each sector, where a quad will be. Where fixed edges
-// meet at an acute angle, the field that turns least has none. The quarter of index that this takes
-// goes to the other end of an edge in the sector, which no fixed edge has.
+// Lets the field have as many quadrants in each sector as that needs at least: where fixed edges meet
+// at an acute angle, the field that turns least has none. The quarter of index that this takes goes to
+// the other end of an edge in the sector, which no fixed edge has.
 inline void open_sectors(const Face_connection& connection, const std::vector<double>& angles,
                          std::vector<int>& jumps)
 {
@@ -67,7 +84,9 @@ inline void open_sectors(const Face_connection& connection, const std::vector<do
     const auto opened = [&](int g) {
       return std::abs(rotation(connection, angles, jumps, g) + right_angle);
     };
-    for (int n = number_of_quadrants(connection, angles, jumps, h); n < 1 && !inside.empty(); ++n) {
+    const int missing = least_number_of_quadrants(sector_angle(connection, h)) -
+                        number_of_quadrants(connection, angles, jumps, h);
+    for (int i = 0; i < missing && !inside.empty(); ++i) {
       const int best = *std::min_element(inside.begin(), inside.end(),
                                          [&](int a, int b) { return opened(a) < opened(b); });
       ++jumps[best];

@@ -43,6 +43,7 @@ class Motorcycles
 public:
   struct Rule
   {
+    bool is_extended;      // else each stops at the first one that it meets
     double tangent;        // of the maximum deviation alpha
     double displacement;   // the maximum displacement r, as a length
     double patience;       // a trace longer than this or
@@ -248,7 +249,8 @@ private:
   bool may_stop(int trace) const
   {
     const Trace& t = m_traces[trace];
-    return (t.met_on_left && t.met_on_right) || is_hasty(trace) || is_out_of_patience(t);
+    return (t.met_on_left && t.met_on_right) || !m_rule.is_extended || is_hasty(trace) ||
+           is_out_of_patience(t);
   }
 
   bool is_hasty(int trace) const

@@ -49,7 +49,30 @@ public:
     return marked > 0;
   }
 
+  // Per chain that is on fixed curves, which nothing but other singularities can separate: the arcs
+  // across the strips that cross it, the nearest first.
+  std::vector<std::vector<int>> arcs_across_strips() const
+  {
+    std::vector<std::vector<int>> result;
+    for (const std::vector<int>& chain : m_chains) {
+      if (!touches_fixed_curve(chain))
+        continue;
+      result.emplace_back();
+      for (const int h : crossed(chain, false))
+        result.back().push_back(T_mesh::edge(h));
+    }
+    return result;
+  }
+
 private:
+  bool touches_fixed_curve(const std::vector<int>& chain) const
+  {
+    return std::any_of(chain.begin(), chain.end(), [this](int a) {
+      return m_is_on_fixed_curve[m_t_mesh.source(2 * a)] ||
+             m_is_on_fixed_curve[m_t_mesh.target(2 * a)];
+    });
+  }
+
   bool is_squeezed(int arc) const { return m_graph.variable(arc) < 0; }
 
   void find_chains()
