@@ -51,7 +51,8 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Na
 {
   const Quantization quantization = quantize_on_mesh(t_mesh, tm, np);
   if (quantization.status == Quantization::INFEASIBLE)
-    throw Stage_failure("quantize: no valid layout was found that meets all demands");
+    throw Stage_failure("quantize: no valid layout was found that meets all demands" +
+                        (quantization.reason.empty() ? "" : "; " + quantization.reason));
   return extract_quad_layout(t_mesh, quantization);
 }
 

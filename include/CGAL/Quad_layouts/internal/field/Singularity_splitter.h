@@ -36,10 +36,10 @@ public:
   {
   }
 
-  // splits until no move helps, then lets the field around the moves relax
-  void split()
+  // splits until no move helps, then lets the field around the moves relax, and around vertices where
+  // jumps have been `changed` before
+  void split(std::vector<int> changed)
   {
-    std::vector<int> changed;
     for (bool moved = true; moved;) {
       moved = false;
       for (int v = 0; v < m_surface.number_of_vertices(); ++v)

@@ -72,11 +72,13 @@ inline int number_of_quadrants(const Face_connection& connection, const std::vec
 
 // Lets the field have as many quadrants in each sector as that needs at least: where fixed edges meet
 // at an acute angle, the field that turns least has none. The quarter of index that this takes goes to
-// the other end of an edge in the sector, which no fixed edge has.
-inline void open_sectors(const Face_connection& connection, const std::vector<double>& angles,
-                         std::vector<int>& jumps)
+// the other end of an edge in the sector, which no fixed edge has. Returns the vertices where this was
+// needed.
+inline std::vector<int> open_sectors(const Face_connection& connection,
+                                     const std::vector<double>& angles, std::vector<int>& jumps)
 {
   const Triangle_surface& surface = connection.surface();
+  std::vector<int> result;
   for (int h = 0; h < surface.number_of_halfedges(); ++h) {
     if (!surface.is_fixed(h))
       continue;
@@ -91,8 +93,10 @@ inline void open_sectors(const Face_connection& connection, const std::vector<do
                                          [&](int a, int b) { return opened(a) < opened(b); });
       ++jumps[best];
       --jumps[surface.opposite(best)];
+      result.push_back(surface.source(h));
     }
   }
+  return result;
 }
 
 } // namespace internal

@@ -128,8 +128,8 @@ inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surfa
 
   std::vector<double> angles = diffused_angles(connection, fixed, options, monitor);
   std::vector<int> jumps = principal_period_jumps(connection, angles);
-  open_sectors(connection, angles, jumps);
-  Singularity_splitter(connection, angles, jumps, is_fixed).split();
+  const std::vector<int> opened = open_sectors(connection, angles, jumps);
+  Singularity_splitter(connection, angles, jumps, is_fixed).split(opened);
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 

@@ -63,6 +63,8 @@ public:
 
   Triangle_surface result() const
   {
+    if (m_points.size() == m_surface.points().size())
+      return m_surface;
     std::vector<int> origins;
     for (int f : m_divided)
       origins.push_back(m_surface.origin(f));

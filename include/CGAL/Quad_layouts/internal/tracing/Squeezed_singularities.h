@@ -12,6 +12,8 @@
 #include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,8 +26,8 @@ namespace internal {
 // A strip of lines that cross a T-mesh must run back into itself, and be as wide as it was. Where
 // traces wind around a limit cycle of the field, strips get narrower with every turn: what is cut
 // off has length 0 in every consistent quantization. If a chain of such arcs joins singularities, or
-// fixed curves, some traces have gone on for too long. In a motorcycle graph that is not extended, few traces get
-// around a limit cycle.
+// fixed curves, some traces have gone on for too long. In a motorcycle graph that is not extended, few
+// traces get around a limit cycle.
 class Squeezed_singularities
 {
 public:
@@ -34,7 +36,8 @@ public:
     find_chains();
   }
 
-  // per group of singularities that fall together the arcs of a chain from one to another
+  // per group of singularities that fall together the arcs of a chain from one to another, and an arc
+  // of each closed fixed curve that vanishes
   const std::vector<std::vector<int>>& chains() const { return m_chains; }
 
   // Marks traces that should stop earlier, the more the more are marked already. Returns whether
@@ -64,6 +67,18 @@ public:
     return result;
   }
 
+  // says where the first of them is, nothing if there are none
+  std::string first_place() const
+  {
+    if (m_chains.empty())
+      return "";
+    const Eigen::Vector3d& p = m_t_mesh.point(m_t_mesh.source(2 * m_chains.front().front()));
+    std::ostringstream out;
+    out << "singularities or feature curves fall together near (" << p.x() << ", " << p.y() << ", "
+        << p.z() << ")";
+    return out.str();
+  }
+
 private:
   bool touches_fixed_curve(const std::vector<int>& chain) const
   {
@@ -82,8 +97,11 @@ private:
     for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
       if (is_squeezed(a)) {
         groups.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
-        if (m_t_mesh.is_fixed(a))
+        if (m_t_mesh.is_fixed(a)) {
+          if (pieces.find_set(m_t_mesh.source(2 * a)) == pieces.find_set(m_t_mesh.target(2 * a)))
+            m_chains.push_back({a}); // it closes a fixed curve
           pieces.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
+        }
       }
     for (int v = 0; v < n; ++v) {
       m_piece.push_back(int(pieces.find_set(v)));
