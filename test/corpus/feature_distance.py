@@ -18,11 +18,11 @@ NEIGHBOURS = 64
 def read_off(file):
     """Return points and triangles of a mesh in OFF."""
     with open(file, encoding="utf-8", errors="replace") as stream:
-        words = " ".join(line.split("#")[0] for line in stream).replace("OFF", "OFF ", 1).split()
-    vertices, faces = int(words[1]), int(words[2])
-    numbers = words[4:]
-    points = numpy.array(numbers[:3 * vertices], dtype=float).reshape(-1, 3)
-    triangles = numpy.array(numbers[3 * vertices:3 * vertices + 4 * faces], dtype=int).reshape(-1, 4)[:, 1:]
+        lines = [words for words in (line.split("#")[0].split() for line in stream) if words]
+    counts = lines.pop(0)[1:] or lines.pop(0)           # "OFF", "COFF", ... may share a line with the counts
+    vertices, faces = int(counts[0]), int(counts[1])
+    points = numpy.array([words[:3] for words in lines[:vertices]], dtype=float)
+    triangles = numpy.array([words[1:4] for words in lines[vertices:vertices + faces]], dtype=int)
     return points, triangles
 
 

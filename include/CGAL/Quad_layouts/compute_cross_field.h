@@ -50,11 +50,11 @@ spread over several vertices where the mesh has them; in such places the matchin
 the one that turns the field least. A given field keeps its directions; only the matchings and
 indices are computed.
 
-Along *fixed* edges, which are those on the border and the constrained ones, the field always has the
-direction of the edges, also where another direction is prescribed or given. Between two of them that
-follow each other around a vertex it has a quadrant at least, however acute the angle is. On the
-field's surface, other edges that join two vertices of fixed ones are divided, and so are faces with
-three fixed edges: a field needs room.
+Along *fixed* edges, which are those on the border and the constrained ones, the field always has
+the direction of the edges, also where another direction is prescribed or given. Between two of them
+that follow each other around a vertex it has a quadrant at least, however acute the angle is. On
+the field's surface, other edges that join two vertices of fixed ones are divided, and so are faces
+with three fixed edges: a field needs room.
 
 The indices of the field sum to four times the Euler characteristic. The components of the mesh do
 not influence one another, neither do scale and position; and the same input has the same output on
@@ -76,8 +76,8 @@ every run.
     \cgalParamExtra{It must not be negative.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the edges of feature curves, which are kept: they are lines of the field, of
-                          the T-mesh and of the layout, and quad vertices stay on them}
+    \cgalParamDescription{the edges of feature curves, which are kept: they are lines of the field,
+                          of the T-mesh and of the layout, and quad vertices stay on them}
     \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh`
                    as key type and `bool` as value type}
     \cgalParamDefault{none: only the border is kept}

@@ -94,8 +94,8 @@ below
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{a property map that tells which edges lie on fixed curves: features and the
-                          border}
+    \cgalParamDescription{a property map that tells which edges lie on fixed curves: features and
+                          the border}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
                    type}

@@ -56,8 +56,8 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Na
   return extract_quad_layout(t_mesh, quantization);
 }
 
-// the pack, with a map for the edges on fixed curves if it has none; its values go to `on_curve`, as
-// the mesh has no edges yet
+// the pack, with a map for the edges on fixed curves if it has none; its values go to `on_curve`,
+// as the mesh has no edges yet
 template <class Edges, class NamedParameters>
 auto with_edge_map(Edges& on_curve, const NamedParameters& np)
 {

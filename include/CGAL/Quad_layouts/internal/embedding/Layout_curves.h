@@ -32,10 +32,10 @@ namespace internal {
 //
 // Away from the preimages of the layout vertices, a layout edge follows one of the arcs that are
 // mapped to it. The preimage of a layout vertex has a neighbourhood that is a disc: inside, the
-// edges go to one vertex in the middle, which is on a fixed curve if there is one in the disc; then the
-// edges on fixed curves come first and stay there. That is always possible, because paths to a common point
-// never separate a disc into parts that are out of its reach, as long as the mesh has room beside
-// them: which splits make.
+// edges go to one vertex in the middle, which is on a fixed curve if there is one in the disc; then
+// the edges on fixed curves come first and stay there. That is always possible, because paths to a
+// common point never separate a disc into parts that are out of its reach, as long as the mesh has
+// room beside them: which splits make.
 class Layout_curves
 {
 public:

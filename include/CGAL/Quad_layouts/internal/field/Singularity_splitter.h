@@ -36,8 +36,8 @@ public:
   {
   }
 
-  // splits until no move helps, then lets the field around the moves relax, and around vertices where
-  // jumps have been `changed` before
+  // splits until no move helps, then lets the field around the moves relax, and around vertices
+  // where jumps have been `changed` before
   void split(std::vector<int> changed)
   {
     for (bool moved = true; moved;) {

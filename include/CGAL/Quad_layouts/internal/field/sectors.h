@@ -20,8 +20,8 @@ namespace internal {
 // The *sector* of a fixed halfedge reaches from it, counter-clockwise about its source, to the next
 // fixed edge. The field is aligned to both, and so makes a number of quarter-turns in between.
 
-// returns the fixed halfedge whose sector has the halfedge h inside or begins with it, -1 if no fixed
-// edge is at its source
+// returns the fixed halfedge whose sector has the halfedge h inside or begins with it, -1 if no
+// fixed edge is at its source
 inline int sector_of(const Triangle_surface& surface, int h)
 {
   for (int g = h; g >= 0;) {
@@ -52,8 +52,8 @@ inline double sector_angle(const Face_connection& connection, int h)
   return result;
 }
 
-// returns the quadrants that a sector with this angle needs at least, such that the quads there can be
-// convex
+// returns the quadrants that a sector with this angle needs at least, such that the quads there can
+// be convex
 inline int least_number_of_quadrants(double sector_angle)
 {
   constexpr double widest = 5. / 3 * right_angle;
@@ -70,10 +70,10 @@ inline int number_of_quadrants(const Face_connection& connection, const std::vec
   return int(std::lround(turn / right_angle));
 }
 
-// Lets the field have as many quadrants in each sector as that needs at least: where fixed edges meet
-// at an acute angle, the field that turns least has none. The quarter of index that this takes goes to
-// the other end of an edge in the sector, which no fixed edge has. Returns the vertices where this was
-// needed.
+// Lets the field have as many quadrants in each sector as that needs at least: where fixed edges
+// meet at an acute angle, the field that turns least has none. The quarter of index that this takes
+// goes to the other end of an edge in the sector, which no fixed edge has. Returns the vertices
+// where this was needed.
 inline std::vector<int> open_sectors(const Face_connection& connection,
                                      const std::vector<double>& angles, std::vector<int>& jumps)
 {

@@ -91,7 +91,8 @@ inline std::vector<int> euler_characteristics(const Glued_squares& squares,
     const bool is_new_vertex = !counted[squares.vertex(s)];
     counted[squares.vertex(s)] = 1;
     result[component[squares.patch(s / 4)]] +=
-      int(is_new_vertex) - int(squares.opposite(s) < 0 || s < squares.opposite(s)) + int(s % 4 == 0);
+        int(is_new_vertex) + int(s % 4 == 0) -
+        int(squares.opposite(s) < 0 || s < squares.opposite(s));
   }
   return result;
 }

@@ -52,8 +52,8 @@ public:
   int patch(int square) const { return m_patch[square]; }
   // the half-segment that a side lies on, -1 for sides inside a patch
   int half_segment(int side) const { return m_half_segment[side]; }
-  // the side of a square that a half-segment falls onto, also across flat patches; -1 if that is the
-  // outside of the border. No half-segment may be in a flat ring.
+  // the side of a square that a half-segment falls onto, also across flat patches; -1 if that is
+  // the outside of the border. No half-segment may be in a flat ring.
   int side_on(int half_segment) const { return m_side[m_grid->facing(half_segment ^ 1)]; }
 
 private:

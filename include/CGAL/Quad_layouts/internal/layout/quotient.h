@@ -200,8 +200,8 @@ inline std::vector<int> fixed_connections(const Fibres& fibres, int fibre)
   return result;
 }
 
-// Finds places where fixed curves fall together, because one fibre has several pieces of them, and closed
-// ones that vanish.
+// Finds places where fixed curves fall together, because one fibre has several pieces of them, and
+// closed ones that vanish.
 inline void find_defects_of_fixed_curves(const Fibres& fibres, Quotient_report& report)
 {
   for (int f = 0; f < fibres.size(); ++f) {

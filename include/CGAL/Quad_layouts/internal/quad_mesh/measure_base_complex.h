@@ -44,8 +44,8 @@ struct Base_complex
   int number_of_patches = 0;
 };
 
-// returns per vertex whether no separatrix begins there: the vertex is regular, and feature curves go
-// straight on if there are any
+// returns per vertex whether no separatrix begins there: the vertex is regular, and feature curves
+// go straight on if there are any
 inline std::vector<char> ordinary_vertices(const Polygons& mesh, const Vertex_valences& vertices)
 {
   std::vector<char> result(mesh.number_of_vertices());
@@ -60,7 +60,8 @@ inline std::vector<char> ordinary_vertices(const Polygons& mesh, const Vertex_va
   return result;
 }
 
-// marks the edges from the halfedge h straight on, up to the border or a vertex that is not ordinary
+// marks the edges from the halfedge h straight on, up to the border or a vertex that is not
+// ordinary
 inline void mark_separatrix(const Polygons& mesh, const Vertex_valences& vertices,
                             const std::vector<char>& is_ordinary, int h, std::vector<char>& marked)
 {
@@ -103,8 +104,8 @@ inline int number_components(const Polygons& mesh, const std::vector<char>& cut,
   return n;
 }
 
-// cuts a quad mesh along its fixed edges and all separatrices; a component without any is one patch.
-// All faces must be quads.
+// cuts a quad mesh along its fixed edges and all separatrices; a component without any is one
+// patch. All faces must be quads.
 inline Base_complex base_complex(const Polygons& mesh, const Vertex_valences& vertices)
 {
   const std::vector<char> is_ordinary = ordinary_vertices(mesh, vertices);

@@ -61,8 +61,8 @@ public:
 
   // Searches for better places of single vertices, from where they are and from the relaxed state.
   // This also helps where quads are not small compared to features of the surface, so that neither
-  // its normals at their corners nor derivatives tell the way. Improves poor quads, too. Begins anew,
-  // which is with better surroundings, as long as this makes fewer quads bad.
+  // its normals at their corners nor derivatives tell the way. Improves poor quads, too. Begins
+  // anew, which is with better surroundings, as long as this makes fewer quads bad.
   void repair()
   {
     int before;
@@ -195,8 +195,8 @@ private:
     suspects.swap(treated);
   }
 
-  // Searches from random places around, for what nothing else helps, until many rounds in a row do not
-  // help either.
+  // Searches from random places around, for what nothing else helps, until many rounds in a row do
+  // not help either.
   void shake(std::vector<int>& suspects)
   {
     constexpr int patience = 12;

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A quad mesh whose vertices have places on a surface; those on its border and feature curves, places
-// on those of the surface.
+// A quad mesh whose vertices have places on a surface; those on its border and feature curves,
+// places on those of the surface.
 class Quads_on_surface
 {
 public:

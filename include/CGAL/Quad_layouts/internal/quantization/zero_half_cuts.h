@@ -41,9 +41,10 @@ struct Integer_row
   }
 };
 
-// Looks for violated {0, 1/2}-cuts (Caprara and Fischetti 1996): where half a sum of rows is rounded
-// down, nothing is lost for non-negative integers. Sums of rows with odd bound and hardly any slack
-// and odd coefficients are found by elimination modulo 2, as in Koster, Zymolka and Kutschka (2009).
+// Looks for violated {0, 1/2}-cuts (Caprara and Fischetti 1996): where half a sum of rows is
+// rounded down, nothing is lost for non-negative integers. Sums of rows with odd bound and hardly
+// any slack and odd coefficients are found by elimination modulo 2, as in Koster, Zymolka and
+// Kutschka (2009).
 class Zero_half_separation
 {
 public:

@@ -44,7 +44,8 @@ public:
     add(f, {c, a, center});
   }
 
-  // splits edges, of which none is fixed, at their midpoints, and in each face the longest one first
+  // splits edges, of which none is fixed, at their midpoints, and in each face the longest one
+  // first
   void split(const std::vector<int>& edges)
   {
     std::vector<std::pair<double, int>> order;
@@ -90,8 +91,8 @@ private:
     m_divided.push_back(divided);
   }
 
-  // splits the part of the face of h that has the edge of h, which gets the midpoint m; `added` are the
-  // parts of the face but the first
+  // splits the part of the face of h that has the edge of h, which gets the midpoint m; `added` are
+  // the parts of the face but the first
   void bisect(int h, int m, std::vector<int>& added)
   {
     const int f = Triangle_surface::face(h);

@@ -29,9 +29,10 @@ using Point2 = Eigen::Vector2d;
 // The working copy of the input: an oriented, manifold triangle mesh in index arrays.
 //
 // Vertex v and face f are the v-th vertex and f-th face of the user's mesh, or a part of that face.
-// Parts that are added to those of the mesh come behind them. Face f owns the halfedges 3f, 3f+1, 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its
-// left. A halfedge also stands for the corner of its face at its source. Border halfedges do not
-// exist: the opposite of a halfedge on the border is -1.
+// Parts that are added to those of the mesh come behind them. Face f owns the halfedges 3f, 3f+1,
+// 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its left. A halfedge also
+// stands for the corner of its face at its source. Border halfedges do not exist: the opposite of a
+// halfedge on the border is -1.
 //
 // *Fixed* edges form the curves that the field is aligned to, that are lines of the T-mesh and of
 // the layout, and on which vertices of the quad mesh stay. Edges on the border are fixed.

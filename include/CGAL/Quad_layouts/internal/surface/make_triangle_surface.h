@@ -132,7 +132,8 @@ inline void check_vertices(const Triangle_surface& surface)
   }
 }
 
-// returns the surface of the given faces, or throws if it is not a manifold of proper triangles; in time O(n log n)
+// returns the surface of the given faces, or throws if it is not a manifold of proper triangles; in
+// time O(n log n)
 inline Triangle_surface make_checked_surface(std::vector<Point> points,
                                              const std::vector<Triangle>& triangles)
 {

@@ -17,8 +17,8 @@ namespace internal {
 
 // The coarser a mesh is, the less room it leaves for a field between fixed curves. No field can be
 // aligned to several edges of one face; and a singularity that finds no vertex between two curves
-// ends up on one of them, or with others in one vertex. Where fixed curves are joined by a face or an
-// edge, the following makes room for three rows of vertices in between.
+// ends up on one of them, or with others in one vertex. Where fixed curves are joined by a face or
+// an edge, the following makes room for three rows of vertices in between.
 
 // returns the surface with faces that have three fixed edges split at their centroids
 inline Triangle_surface split_fixed_faces(const Triangle_surface& surface)

@@ -16,10 +16,10 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Puts pairs of singularities of valence 3 and 5 where fixed curves would fall together otherwise, as
-// Myles, Pietroni and Zorin do for zero sides of patches (Robust field-aligned global parametrization,
-// 2014). A strip that winds around a limit cycle has no way out; lines that pass between the two
-// singularities turn by a quarter and leave.
+// Puts pairs of singularities of valence 3 and 5 where fixed curves would fall together otherwise,
+// as Myles, Pietroni and Zorin do for zero sides of patches (Robust field-aligned global
+// parametrization, 2014). A strip that winds around a limit cycle has no way out; lines that pass
+// between the two singularities turn by a quarter and leave.
 class Dipoles
 {
 public:
@@ -29,8 +29,8 @@ public:
   {
   }
 
-  // Puts a pair beside the first of some arcs, which lie across a strip, where there is room: away from
-  // other singularities and fixed curves if possible. Returns whether there is any.
+  // Puts a pair beside the first of some arcs, which lie across a strip, where there is room: away
+  // from other singularities and fixed curves if possible. Returns whether there is any.
   bool insert(const std::vector<int>& arcs)
   {
     for (int distance : {1, 0})
@@ -54,9 +54,9 @@ private:
     return false;
   }
 
-  // The side of a face that an arc passes by: the arc enters the face through one halfedge, and then
-  // the next face through another. Lines across the arc are more likely to cross this side than
-  // others.
+  // The side of a face that an arc passes by: the arc enters the face through one halfedge, and
+  // then the next face through another. Lines across the arc are more likely to cross this side
+  // than others.
   int side_beside(int entry, int next_entry) const
   {
     const int exit = m_surface.opposite(next_entry);
@@ -64,7 +64,8 @@ private:
     return after == exit ? Triangle_surface::next(after) : after;
   }
 
-  // A label that changes on one side of its edge moves a quarter of index from one end to the other.
+  // A label that changes on one side of its edge moves a quarter of index from one end to the
+  // other.
   bool insert_at(int h, int distance)
   {
     if (!has_room(m_surface.source(h), distance) || !has_room(m_surface.target(h), distance))

@@ -18,9 +18,9 @@ namespace internal {
 
 // For every halfedge h the direction of its outward normal in the cross of its face, in eighths of
 // a turn. It is odd, 2l+1, if the normal lies between the directions l and l+1: lines of these
-// directions leave the face through h, those of the directions l+2 and l+3 enter. On fixed edges, to
-// which the field is aligned, it is even: with label 2d, lines of direction d leave through h, those
-// of direction d+2 enter, the others run along h and do not cross it.
+// directions leave the face through h, those of the directions l+2 and l+3 enter. On fixed edges,
+// to which the field is aligned, it is even: with label 2d, lines of direction d leave through h,
+// those of direction d+2 enter, the others run along h and do not cross it.
 //
 // The increment at a corner is the label of the corner's halfedge minus that of the halfedge before
 // it. A face is valid if its increments are at most 4 and sum to 8, that is, if its normals turn
@@ -98,8 +98,8 @@ public:
   // 1 if a side is fixed.
   int index(int v) const { return (m_surface->is_on_border(v) ? 3 : 4) - valence(v); }
 
-  // Says if fixed edges, if there are any at v, go straight on there: there are two, each line between
-  // them has one neighbour on both sides, and no other line starts at v.
+  // Says if fixed edges, if there are any at v, go straight on there: there are two, each line
+  // between them has one neighbour on both sides, and no other line starts at v.
   bool goes_straight_on(int v) const
   {
     const int fixed = m_surface->number_of_fixed_edges(v);

@@ -34,10 +34,10 @@ inline bool is_longer(double a, int i, double b, int j)
 //
 // A motorcycle i stops once it has met on its left and on its right a trace j whose candidate
 // separatrix, from the start of i to the start of j, is acceptable by the rule of Section 4.3,
-//   (l_ji - 2r) / (l_ij + 2r) <= tan alpha with l_ij > l_ji,
-// because singularities further out on that side lie behind the trace j. The later trace stops on
-// the earlier one. All stop on the border. Other fixed lines are like traces that start at both their
-// ends: motorcycles can stop on them, too.
+// (l_ji - 2r) / (l_ij + 2r) <= tan alpha with l_ij > l_ji, because singularities further out on
+// that side lie behind the trace j. The later trace stops on the earlier one. All stop on the
+// border. Other fixed lines are like traces that start at both their ends: motorcycles can stop on
+// them, too.
 class Motorcycles
 {
 public:
@@ -155,7 +155,8 @@ private:
     return m_chords->ends_on_border(c) || may_stop(trace);
   }
 
-  // notes on which sides the end of the fixed line to which chord c leads is an acceptable candidate
+  // notes on which sides the end of the fixed line to which chord c leads is an acceptable
+  // candidate
   void note_ends_of_fixed_line(Trace& t, int c)
   {
     const Triangle_surface& surface = m_chords->labels().surface();
@@ -163,7 +164,8 @@ private:
     const double r = m_rule.displacement, own = m_chords->chord(c).end,
                  passed = m_chords->parameter_of_end(c) * surface.length(h),
                  left = m_fixed_lines.length_ahead(h) - passed,
-                 right = m_fixed_lines.length_ahead(surface.opposite(h)) - surface.length(h) + passed;
+                 right = m_fixed_lines.length_ahead(surface.opposite(h)) -
+                         surface.length(h) + passed;
     t.met_on_left |= left - 2 * r <= m_rule.tangent * (own + 2 * r);
     t.met_on_right |= right - 2 * r <= m_rule.tangent * (own + 2 * r);
   }

@@ -25,9 +25,9 @@ namespace internal {
 //
 // A strip of lines that cross a T-mesh must run back into itself, and be as wide as it was. Where
 // traces wind around a limit cycle of the field, strips get narrower with every turn: what is cut
-// off has length 0 in every consistent quantization. If a chain of such arcs joins singularities, or
-// fixed curves, some traces have gone on for too long. In a motorcycle graph that is not extended, few
-// traces get around a limit cycle.
+// off has length 0 in every consistent quantization. If a chain of such arcs joins singularities,
+// or fixed curves, some traces have gone on for too long. In a motorcycle graph that is not
+// extended, few traces get around a limit cycle.
 class Squeezed_singularities
 {
 public:
@@ -36,8 +36,8 @@ public:
     find_chains();
   }
 
-  // per group of singularities that fall together the arcs of a chain from one to another, and an arc
-  // of each closed fixed curve that vanishes
+  // per group of singularities that fall together the arcs of a chain from one to another, and an
+  // arc of each closed fixed curve that vanishes
   const std::vector<std::vector<int>>& chains() const { return m_chains; }
 
   // Marks traces that should stop earlier, the more the more are marked already. Returns whether
@@ -120,7 +120,8 @@ private:
     }
   }
 
-  // whether two nodes are singularities, or ends of fixed lines, or at different places of fixed lines
+  // whether two nodes are singularities, or ends of fixed lines, or at different places of fixed
+  // lines
   bool should_be_apart(int u, int v) const
   {
     const auto is_end = [&](int n) {
@@ -212,8 +213,9 @@ private:
 
   const T_mesh& m_t_mesh;
   const Dual_graph m_graph;
-  std::vector<int> m_piece;              // per node, of the fixed curves as far as they are squeezed
-  std::vector<char> m_is_on_fixed_curve; // per node
+  // per node
+  std::vector<int> m_piece; // of the fixed curves as far as they are squeezed
+  std::vector<char> m_is_on_fixed_curve;
   std::vector<std::vector<int>> m_chains;
 };
 

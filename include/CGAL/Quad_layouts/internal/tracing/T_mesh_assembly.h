@@ -282,8 +282,8 @@ private:
     return result;
   }
 
-  // The halfedges that leave an inner node: of a crossing, by quarter-turns from the direction of its
-  // first chord; on a fixed edge, from the direction of its canonical halfedge.
+  // The halfedges that leave an inner node: of a crossing, by quarter-turns from the direction of
+  // its first chord; on a fixed edge, from the direction of its canonical halfedge.
   std::array<int, 4>& around(int node) { return m_around[node - m_first_inner_node]; }
   int quarter_turns(int x, int c) const
   {

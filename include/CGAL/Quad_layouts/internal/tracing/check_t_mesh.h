@@ -73,7 +73,8 @@ inline void check_euler_characteristics(const T_mesh& t_mesh)
 }
 
 // Checks that walks around the corners of all triangles cross arcs from patch to patch without a
-// gap, and that arcs along edges have the patches beside these. Then every piece of an edge lies in one patch, and so does every vertex that is no node.
+// gap, and that arcs along edges have the patches beside these. Then every piece of an edge lies in
+// one patch, and so does every vertex that is no node.
 class Crossing_check
 {
 public:

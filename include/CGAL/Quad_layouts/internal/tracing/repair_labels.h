@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes all faces valid and all valences positive, 2 or more wherever the field has them, by a min-conflicts search that starts from
-// labels that are valid nearly everywhere: again and again, the cheapest change of a label near a
-// bad face or vertex.
+// Makes all faces valid and all valences positive, 2 or more wherever the field has them, by a
+// min-conflicts search that starts from labels that are valid nearly everywhere: again and again,
+// the cheapest change of a label near a bad face or vertex.
 //
 // A label that changes on both sides of its edge keeps the matching. As long as faces are valid, it
 // then keeps the valences, too. A label that changes on one side moves a quarter of index from one
@@ -152,7 +152,8 @@ private:
   double vertex_cost(int v) const
   {
     const int valence = m_labels.valence(v);
-    return 8 * (std::max)(least_valence(v) - valence, 0) + (m_labels.index(v) != m_field.index(v) ? 2 : 0);
+    const int moved = m_labels.index(v) != m_field.index(v) ? 2 : 0;
+    return 8 * (std::max)(least_valence(v) - valence, 0) + moved;
   }
   double label_cost(int h) const
   {

@@ -51,8 +51,8 @@ inline int seed_beside(const Labels& labels, int f)
   return seed;
 }
 
-// Traces the extended motorcycle graph of a field, and does so again where that turns out to be no base
-// for a layout.
+// Traces the extended motorcycle graph of a field, and does so again where that turns out to be no
+// base for a layout.
 class Field_tracing
 {
 public:
@@ -115,8 +115,8 @@ private:
     }
   }
 
-  // The first attempt is made beside the curves, the next ones anywhere on the strips that cross them:
-  // multiples of the golden ratio are spread evenly.
+  // The first attempt is made beside the curves, the next ones anywhere on the strips that cross
+  // them: multiples of the golden ratio are spread evenly.
   bool insert_dipoles(const T_mesh& t_mesh, const std::vector<Arcs>& strips, int attempt)
   {
     constexpr double golden_ratio = 0.61803398874989485;
