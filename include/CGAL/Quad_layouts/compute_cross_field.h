@@ -146,19 +146,19 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
 
   internal::Cross_field_options options;
   options.curvature_alignment = choose_parameter(
-    get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
-  options.diffusion_time =
-    choose_parameter(get_parameter(np, internal_np::diffusion_time), options.diffusion_time);
+      get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
+  options.diffusion_time = choose_parameter(get_parameter(np, internal_np::diffusion_time),
+                                            options.diffusion_time);
   options.number_of_iterations = choose_parameter(
-    get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
+      get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
   internal::check_field_options(options);
 
   const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(vertex_point, tm));
-  const auto directions =
-    internal::read_face_vectors(tm, get_parameter(np, internal_np::face_direction_map));
-  const auto constraints =
-    internal::read_face_vectors(tm, get_parameter(np, internal_np::face_constraint_map));
+  const auto directions = internal::read_face_vectors(
+      tm, get_parameter(np, internal_np::face_direction_map));
+  const auto constraints = internal::read_face_vectors(
+      tm, get_parameter(np, internal_np::face_constraint_map));
 
   const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
 
@@ -167,7 +167,7 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
     internal::Triangle_surface whole = internal::make_triangle_surface(tm, points);
     internal::fix_constrained_edges(tm, is_constrained, whole);
     const auto surface = std::make_shared<const internal::Triangle_surface>(
-      internal::separate_fixed_curves(whole));
+        internal::separate_fixed_curves(whole));
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);
   });

@@ -155,10 +155,9 @@ Polygons make_polygons_with_parameters(const PolygonMesh& mesh, const NamedParam
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Polygons result = make_polygons(mesh,
-                                  choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                   get_const_property_map(CGAL::vertex_point,
-                                                                          mesh)));
+  Polygons result = make_polygons(
+      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                             get_const_property_map(CGAL::vertex_point, mesh)));
   mark_features(mesh, get_parameter(np, internal_np::edge_is_constrained), result);
   return result;
 }

@@ -23,8 +23,7 @@ namespace internal {
 class Face_connection
 {
 public:
-  explicit Face_connection(const Triangle_surface& surface)
-    : m_surface(&surface)
+  explicit Face_connection(const Triangle_surface& surface) : m_surface(&surface)
   {
     compute_angles();
     compute_areas();

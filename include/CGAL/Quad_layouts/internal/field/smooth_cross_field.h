@@ -66,8 +66,8 @@ inline Cross_field given_cross_field(const std::shared_ptr<const Triangle_surfac
   angles.reserve(surface->number_of_faces());
   for (int f = 0; f < surface->number_of_faces(); ++f)
     angles.push_back(aligned_angle(
-      *surface, f,
-      projected_angle(*surface, f, directions[surface->origin(f)], "face_direction_map")));
+        *surface, f,
+        projected_angle(*surface, f, directions[surface->origin(f)], "face_direction_map")));
   std::vector<int> jumps = principal_period_jumps(connection, angles);
   open_sectors(connection, angles, jumps);
   return make_cross_field(surface, connection, std::move(angles), jumps);
@@ -84,8 +84,8 @@ inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
     if (h >= 0)
       result[f] = std::polar(1., 4 * surface.halfedge_angle(h));
     else if (!constraints.empty() && constraints[g] != Eigen::Vector3d::Zero())
-      result[f] = std::polar(1., 4 * projected_angle(surface, f, constraints[g],
-                                                     "face_constraint_map"));
+      result[f] = std::polar(
+          1., 4 * projected_angle(surface, f, constraints[g], "face_constraint_map"));
   }
   return result;
 }
@@ -109,8 +109,7 @@ inline std::vector<double> diffused_angles(const Face_connection& connection,
   }
   std::vector<double> angles;
   for (int f = 0; f < int(fixed.size()); ++f)
-    angles.push_back(aligned_angle(connection.surface(), f,
-                                   std::arg(diffusion.values()[f]) / 4));
+    angles.push_back(aligned_angle(connection.surface(), f, std::arg(diffusion.values()[f]) / 4));
   return angles;
 }
 

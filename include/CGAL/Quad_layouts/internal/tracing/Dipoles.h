@@ -84,9 +84,8 @@ private:
   {
     bool result = m_labels.index(v) == 0 && m_surface.number_of_fixed_edges(v) == 0;
     if (distance > 0)
-      m_surface.for_each_outgoing(v, [&](int h) {
-        result = result && has_room(m_surface.target(h), distance - 1);
-      });
+      m_surface.for_each_outgoing(
+          v, [&](int h) { result = result && has_room(m_surface.target(h), distance - 1); });
     return result;
   }
 

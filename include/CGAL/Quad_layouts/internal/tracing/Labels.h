@@ -54,10 +54,7 @@ public:
   void set(int h, int quadrant) { m_label[h] = static_cast<signed char>(2 * (quadrant & 3) + 1); }
 
   // direction d of the face of h is direction d + turn(h) of the face on the other side
-  int turn(int h) const
-  {
-    return ((m_label[m_surface->opposite(h)] - m_label[h] + 4) >> 1) & 3;
-  }
+  int turn(int h) const { return ((m_label[m_surface->opposite(h)] - m_label[h] + 4) >> 1) & 3; }
 
   bool leaves(int h, int direction) const { return ((2 * direction - m_label[h] + 1) & 7) < 3; }
   bool runs_along(int h, int direction) const
@@ -87,9 +84,8 @@ public:
   int valence(int v) const
   {
     int sum = 0;
-    m_surface->for_each_outgoing(v, [&](int h) {
-      sum += number_of_starts(h) + m_surface->is_fixed(h);
-    });
+    m_surface->for_each_outgoing(
+        v, [&](int h) { sum += number_of_starts(h) + m_surface->is_fixed(h); });
     return sum + m_surface->is_on_border(v);
   }
 
@@ -145,8 +141,8 @@ private:
     const Surface& surface = field.surface();
     const int g = surface.opposite(h);
     const double here = field.angle(Surface::face(h));
-    const double there = field.angle(Surface::face(g)) + field.matching(h) * right_angle
-                       - surface.transport(h);
+    const double there = field.angle(Surface::face(g)) + field.matching(h) * right_angle -
+                         surface.transport(h);
     const double mean = here + std::remainder(there - here, 4 * right_angle) / 2;
     const double normal = surface.halfedge_angle(h) - right_angle;
     return int(std::floor((normal - mean) / right_angle)) & 3;

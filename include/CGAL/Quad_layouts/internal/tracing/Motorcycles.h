@@ -43,21 +43,21 @@ class Motorcycles
 public:
   struct Rule
   {
-    bool is_extended;      // else each stops at the first one that it meets
-    double tangent;        // of the maximum deviation alpha
-    double displacement;   // the maximum displacement r, as a length
-    double patience;       // a trace longer than this or
-    int maximum_steps;     // with more chords than this stops wherever it can
+    bool is_extended;    // else each stops at the first one that it meets
+    double tangent;      // of the maximum deviation alpha
+    double displacement; // the maximum displacement r, as a length
+    double patience;     // a trace longer than this or
+    int maximum_steps;   // with more chords than this stops wherever it can
   };
 
   struct Trace
   {
     int vertex;
-    int corner;                    // the halfedge from the vertex into whose face it starts
+    int corner; // the halfedge from the vertex into whose face it starts
     std::vector<int> chords;
-    int last_chord = -1;           // where it stops: in crossing `last_crossing` on this chord
-    int last_crossing = -1;        // still -1 if it stops on a fixed edge
-    int farthest_crossing = -1;    // the last node on it so far, on chord `farthest_chord`
+    int last_chord = -1;        // where it stops: in crossing `last_crossing` on this chord
+    int last_crossing = -1;     // still -1 if it stops on a fixed edge
+    int farthest_crossing = -1; // the last node on it so far, on chord `farthest_chord`
     int farthest_chord = -1;
     bool met_on_left = false, met_on_right = false;
   };
@@ -112,10 +112,10 @@ private:
   {
     double length;
     int trace;
-    int number;          // events are numbered, so that their order is total
+    int number; // events are numbered, so that their order is total
     int crossing;
 
-    friend bool operator<(const Event& a, const Event& b)      // the queue has the largest on top
+    friend bool operator<(const Event& a, const Event& b) // the queue has the largest on top
     {
       return std::tie(a.length, a.trace, a.number) > std::tie(b.length, b.trace, b.number);
     }
@@ -164,8 +164,8 @@ private:
     const double r = m_rule.displacement, own = m_chords->chord(c).end,
                  passed = m_chords->parameter_of_end(c) * surface.length(h),
                  left = m_fixed_lines.length_ahead(h) - passed,
-                 right = m_fixed_lines.length_ahead(surface.opposite(h)) -
-                         surface.length(h) + passed;
+                 right = m_fixed_lines.length_ahead(surface.opposite(h)) - surface.length(h) +
+                         passed;
     t.met_on_left |= left - 2 * r <= m_rule.tangent * (own + 2 * r);
     t.met_on_right |= right - 2 * r <= m_rule.tangent * (own + 2 * r);
   }
@@ -255,15 +255,12 @@ private:
            is_out_of_patience(t);
   }
 
-  bool is_hasty(int trace) const
-  {
-    return trace < int(m_is_hasty.size()) && m_is_hasty[trace];
-  }
+  bool is_hasty(int trace) const { return trace < int(m_is_hasty.size()) && m_is_hasty[trace]; }
 
   bool is_out_of_patience(const Trace& t) const
   {
-    return t.chords.size() > std::size_t(m_rule.maximum_steps)
-        || m_chords->chord(t.chords.back()).end > m_rule.patience;
+    return t.chords.size() > std::size_t(m_rule.maximum_steps) ||
+           m_chords->chord(t.chords.back()).end > m_rule.patience;
   }
 
   Trace& trace_of(int c) { return m_traces[m_chords->chord(c).trace]; }

@@ -63,8 +63,8 @@ private:
   struct Change
   {
     int halfedge;
-    int shift;          // is added to the label of the halfedge
-    bool both_sides;    // and to that of the opposite halfedge
+    int shift;       // is added to the label of the halfedge
+    bool both_sides; // and to that of the opposite halfedge
   };
 
   // No quad mesh has a vertex of valence 1: it has to be one of the field itself.
@@ -144,9 +144,9 @@ private:
   double cost(int h) const
   {
     const int g = m_surface.opposite(h);
-    return face_cost(Surface::face(h)) + face_cost(Surface::face(g))
-         + vertex_cost(m_surface.source(h)) + vertex_cost(m_surface.source(g))
-         + label_cost(h) + label_cost(g);
+    return face_cost(Surface::face(h)) + face_cost(Surface::face(g)) +
+           vertex_cost(m_surface.source(h)) + vertex_cost(m_surface.source(g)) + label_cost(h) +
+           label_cost(g);
   }
   double face_cost(int f) const { return m_labels.is_valid(f) ? 0 : 8; }
   double vertex_cost(int v) const
@@ -163,9 +163,10 @@ private:
 
   [[noreturn]] void fail(int h) const
   {
-    throw Stage_failure("trace_motorcycle_graph: cannot say which way the field runs through face "
-                        + std::to_string(Surface::face(h)) + ", or around vertex "
-                        + std::to_string(m_surface.source(h)));
+    throw Stage_failure(
+        "trace_motorcycle_graph: cannot say which way the field runs through face " +
+        std::to_string(Surface::face(h)) + ", or around vertex " +
+        std::to_string(m_surface.source(h)));
   }
 
   Labels& m_labels;
