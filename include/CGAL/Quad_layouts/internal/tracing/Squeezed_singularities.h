@@ -80,12 +80,16 @@ public:
   }
 
 private:
+  // whether a chain leads along or to a fixed curve; along the border corners may merge
   bool touches_fixed_curve(const std::vector<int>& chain) const
   {
-    return std::any_of(chain.begin(), chain.end(), [this](int a) {
+    const auto touches = [this](int a) {
       return m_is_on_fixed_curve[m_t_mesh.source(2 * a)] ||
              m_is_on_fixed_curve[m_t_mesh.target(2 * a)];
-    });
+    };
+    return std::any_of(chain.begin(), chain.end(), touches) &&
+           !std::all_of(chain.begin(), chain.end(),
+                        [this](int a) { return m_t_mesh.is_border_edge(a); });
   }
 
   bool is_squeezed(int arc) const { return m_graph.variable(arc) < 0; }
