@@ -501,7 +501,7 @@ BOOST_AUTO_TEST_CASE(single_triangle)
                                        {{0, 1, 2}});
   const QL::Cross_field field = QL::compute_cross_field(mesh);
   check_borders(field);
-  BOOST_TEST(field.surface().number_of_faces() == 3);
+  BOOST_TEST(field.surface().number_of_faces() == 9);
 }
 
 BOOST_AUTO_TEST_CASE(given_directions_are_aligned_to_the_border)

@@ -11,7 +11,6 @@
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Chord_splitter.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Reduced_newton.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
@@ -28,12 +27,11 @@ namespace Quad_layouts {
 
 namespace internal {
 
-inline Seamless_parametrization seamless_parametrization(const Cross_field& given,
+inline Seamless_parametrization seamless_parametrization(const Cross_field& field,
                                                          double edge_length, int most_steps,
                                                          const Monitor& monitor)
 {
   constexpr double barrier = 0.1;
-  const Cross_field field = Chord_splitter(given).split();
   const Cut_graph cut(field);
   const Seam_constraints seams(field.surface(), cut);
   Aligned_energy energy(field.surface(), cut, seams, edge_length);
@@ -61,8 +59,7 @@ plane minimises the deviation of its Jacobians from the directions of the field 
 length (Bommes, Zimmer and Kobbelt, <em>Mixed-integer quadrangulation</em>, 2009), such that both sides
 of each cut are equal up to quarter-turns and translations. These are real, not rounded to integers: the
 parametrization is seamless, but no integer-grid map. Fixed edges of the field's surface get a constant
-coordinate; other edges between two vertices at fixed edges, which could become part of the same line,
-are divided on the surface of the result. Then inverted triangles are turned back by the regularized
+coordinate. Then inverted triangles are turned back by the regularized
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
 unknowns of the seamless maps, so that the map stays seamless. At last coordinates are rounded to
 integer multiples of a power of two that satisfy all relations exactly (Mandad and Campen, <em>Exact
