@@ -4,8 +4,8 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Remeshes a model with quads that follow a field of our own: in each face the horizontal direction,
-// so that one family of lines runs level around the model.
+// Remeshes a model with quads that follow a field of our own: in each face the horizontal
+// direction, so that one family of lines runs level around the model.
 
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/quad_remesh.h>

@@ -70,6 +70,7 @@ struct Results
   QL::Quad_layout layout;
   QL::Integer_grid_map map;
   Mesh quads;
+  Mesh::Property_map<Mesh::Edge_index, bool> on_curve; // of edges of `quads`
 };
 
 inline int number_of_borders(const Mesh& mesh)
@@ -180,15 +181,15 @@ inline void check_map(const QL::Integer_grid_map& map, const QL::Quad_layout& la
 inline void check_quads(const Task& task, const Results& r)
 {
   BOOST_TEST_REQUIRE(CGAL::is_valid_polygon_mesh(r.quads));
-  const QL::Quad_mesh_measures in = QL::measure_quad_mesh(task.mesh),
-                               out = QL::measure_quad_mesh(r.quads);
+  const QL::Quad_mesh_measures in = QL::measure_quad_mesh(task.mesh);
+  const QL::Quad_mesh_measures out = QL::measure_quad_mesh(
+      r.quads, QL::parameters::default_values().edge_is_constrained_map(r.on_curve));
   BOOST_TEST(out.non_quads == 0);
   BOOST_TEST(out.euler_characteristic == in.euler_characteristic);
   BOOST_TEST(out.components == in.components);
   BOOST_TEST(number_of_borders(r.quads) == number_of_borders(task.mesh));
   BOOST_TEST(out.t_junctions == 0);
-  if (task.sharp_angle == 180) // measures do not know feature curves
-    BOOST_TEST(out.patches == r.layout.number_of_patches);
+  BOOST_TEST(out.patches == r.layout.number_of_patches);
   BOOST_TEST(out.irregular_vertices == r.layout.number_of_irregular_vertices());
 
   const auto& surface = r.field.surface();
@@ -248,11 +249,11 @@ inline bool run(Task& task, Results& r)
   check_clusters(task, r);
   r.map = QL::embed_quad_layout(r.t_mesh, r.layout, np);
   check_map(r.map, r.layout);
-  const auto on_curve = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_curve").first;
+  r.on_curve = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_curve").first;
   QL::extract_quad_mesh(r.map, r.layout, r.quads,
-                        QL::parameters::edge_is_constrained_map(on_curve));
+                        QL::parameters::edge_is_constrained_map(r.on_curve));
   QL::smooth_quad_mesh(r.quads, task.mesh,
-                       np.edge_is_constrained_map(on_curve).maximum_running_time(task.seconds),
+                       np.edge_is_constrained_map(r.on_curve).maximum_running_time(task.seconds),
                        QL::parameters::edge_is_constrained_map(task.is_feature));
   check_quads(task, r);
   return true;

@@ -26,7 +26,7 @@ surface_of(const Mesh& mesh)
 {
   using namespace CGAL::Quad_layouts::internal;
   return std::make_shared<const Triangle_surface>(
-      split_fixed_faces(make_triangle_surface(mesh, mesh.points())));
+      separate_fixed_curves(make_triangle_surface(mesh, mesh.points())));
 }
 
 // the field with a direction in each face that is given as a function of the face's centre, turned

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE compute_t_mesh
 #include "generated_fields.h"
 #include "generated_meshes.h"
 #include "invariants.h"
@@ -22,6 +21,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_compute_t_mesh)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -115,3 +116,5 @@ BOOST_AUTO_TEST_CASE(quad_meshes_by_a_parametrization)
     BOOST_TEST(measures.t_junctions == 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

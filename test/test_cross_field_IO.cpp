@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE cross_field_IO
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -18,6 +17,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_cross_field_IO)
 
 namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
@@ -53,21 +54,27 @@ QL::Cross_field through_file(const QL::Cross_field& field, QL::Cross_field_forma
   for (const auto e : edges(mesh))
     BOOST_TEST(read[e] == (format == QL::FFIELD_MPZ14 && is_sharp[e] && !mesh.is_border(e)));
   return QL::compute_cross_field(
-    mesh, params::face_direction_map(directions).edge_is_constrained_map(is_sharp));
+      mesh, params::face_direction_map(directions).edge_is_constrained_map(is_sharp));
 }
 
 void check_round_trips(Mesh mesh)
 {
   const Edge_flags is_sharp = sharp_edges(mesh, "e:sharp");
-  const QL::Cross_field field =
-    QL::compute_cross_field(mesh, params::default_values().edge_is_constrained_map(is_sharp));
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, params::default_values().edge_is_constrained_map(is_sharp));
   const auto& surface = field.surface();
+  const int nf = int(num_faces(mesh)), nv = int(num_vertices(mesh));
+  // a file has one direction for each face, and so only the singularities at vertices of such faces
+  std::vector<char> is_in_divided_face(surface.number_of_vertices(), 0);
+  for (int h = 3 * nf; h < surface.number_of_halfedges(); ++h)
+    is_in_divided_face[surface.source(h)] = 1;
   for (const QL::Cross_field_format format : formats) {
     const QL::Cross_field same = through_file(field, format, mesh, is_sharp);
-    for (int f = 0; f < surface.number_of_faces(); ++f)
+    for (int f = 0; f < nf; ++f)
       BOOST_TEST(std::abs(std::remainder(same.angle(f) - field.angle(f), right_angle)) < 1e-9);
-    for (int v = 0; v < surface.number_of_vertices(); ++v)
-      BOOST_TEST(same.index(v) == field.index(v));
+    for (int v = 0; v < nv; ++v)
+      if (!is_in_divided_face[v])
+        BOOST_TEST(same.index(v) == field.index(v));
   }
 }
 
@@ -114,8 +121,8 @@ BOOST_AUTO_TEST_CASE(by_hand)
   check_direction(direction_read_from(angle + "MI_matchings\n1 2 0 0 0 0\n", QL::FFIELD_MPZ14), c,
                   s);
   check_direction(
-    direction_read_from(angle + "matchings_and_sharp\n0 1 2 0 0 0 1 0 0\n", QL::FFIELD_MPZ14), s,
-    -c);
+      direction_read_from(angle + "matchings_and_sharp\n0 1 2 0 0 0 1 0 0\n", QL::FFIELD_MPZ14), s,
+      -c);
   // without angles the frame counts, whichever dialect is expected
   check_direction(direction_read_from(frame + "fixed\n0\n", QL::FFIELD), 0, 1);
 }
@@ -136,8 +143,8 @@ BOOST_AUTO_TEST_CASE(matchings_fit_angles)
   for (Mesh mesh : {generated::icosphere(2), generated::cube(2),
                     generated::plate_with_holes(3, 3, {{1, 1}}, 2)}) {
     const Edge_flags is_sharp = sharp_edges(mesh, "e:sharp");
-    const QL::Cross_field field =
-      QL::compute_cross_field(mesh, params::default_values().edge_is_constrained_map(is_sharp));
+    const QL::Cross_field field = QL::compute_cross_field(
+        mesh, params::default_values().edge_is_constrained_map(is_sharp));
     std::ostringstream file;
     QL::IO::write_cross_field(file, field, QL::FFIELD_MPZ14);
     const std::vector<double> angles = section(file.str(), "crossfield_angles");
@@ -179,3 +186,5 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused)
   expect(frame + "colours\n1\n", QL::FFIELD, "line 6: \"colours\" is no section");
   expect(frame + "matchings\n0 2 1 0 0 0\n", QL::FFIELD, "face 0 has other vertices");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

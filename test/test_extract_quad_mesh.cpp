@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE extract_quad_mesh
 #include <boost/test/unit_test.hpp>
 
 #include "hand_made_t_meshes.h"
@@ -24,6 +23,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_extract_quad_mesh)
 
 namespace QL = CGAL::Quad_layouts;
 using QL::Integer_grid_map;
@@ -251,3 +252,5 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range)
                     QL::Stage_failure);
   BOOST_TEST(num_vertices(mesh) == 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE features
 #include <boost/test/unit_test.hpp>
 
 #include "generated_fields.h"
@@ -19,6 +18,7 @@
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
 #include <cmath>
@@ -26,6 +26,8 @@
 #include <vector>
 
 // Feature curves, on their way through all stages.
+
+BOOST_AUTO_TEST_SUITE(test_features)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -73,10 +75,10 @@ void check_fixed_edges(const QL::T_mesh& t, const QL::Quad_layout& layout)
     BOOST_TEST(uses[e] == int(layout.is_fixed(e)));
 }
 
-Result run(const Mesh& mesh, const Edge_map& is_feature)
+Result run(const QL::Cross_field& field)
 {
   Result r;
-  r.field = QL::compute_cross_field(mesh, parameters::default_values().edge_is_constrained_map(is_feature));
+  r.field = field;
   const auto np = parameters::target_edge_length(0.1);
   r.t_mesh = QL::trace_motorcycle_graph(r.field, np);
   invariants::check_t_mesh(r.t_mesh);
@@ -87,6 +89,12 @@ Result run(const Mesh& mesh, const Edge_map& is_feature)
   check_fixed_edges(r.t_mesh, r.layout);
   r.map = QL::embed_quad_layout(r.t_mesh, r.layout, np);
   return r;
+}
+
+Result run(const Mesh& mesh, const Edge_map& is_feature)
+{
+  return run(QL::compute_cross_field(
+      mesh, parameters::default_values().edge_is_constrained_map(is_feature)));
 }
 
 } // namespace
@@ -178,3 +186,76 @@ BOOST_AUTO_TEST_CASE(circle_on_a_plate)
                        }));
   BOOST_TEST(r.layout.number_of_irregular_vertices() == 4);
 }
+
+// The field of this mesh winds around a limit cycle between sharp edges, also where traces stop at the
+// first one that they meet: only more singularities keep the edges apart.
+BOOST_AUTO_TEST_CASE(edges_along_a_limit_cycle)
+{
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/mpi_triang.off"), mesh)) {
+    BOOST_TEST_MESSAGE("mpi_triang.off: skipped");
+    return;
+  }
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, parameters::default_values().edge_is_constrained_map(sharp_edges(mesh)));
+  const QL::T_mesh t = QL::trace_motorcycle_graph(field);
+  invariants::check_t_mesh(t);
+  int singularities = 0;
+  for (int n = 0; n < t.number_of_vertices(); ++n)
+    singularities += t.index(n) != 0;
+  BOOST_TEST(singularities > field.number_of_singularities());
+  BOOST_TEST((QL::internal::Squeezed_singularities(t).arcs_across_strips().empty()));
+  BOOST_TEST((QL::quantize(t).status != QL::Quantization::INFEASIBLE));
+}
+
+// Triangles all of whose sides are fixed, with angles that the field would make no quarter-turn in.
+BOOST_AUTO_TEST_CASE(acute_corners)
+{
+  const double s = std::sqrt(0.75);
+  const Mesh tip = generated::mesh_of({{0, 0, 0}, {1, 0, 0}, {0.5, s, 0}, {0.5, s / 3, 0.2}},
+                                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  Mesh mesh = tip;
+  const Result r = run(mesh, sharp_edges(mesh));
+  BOOST_TEST(r.t_mesh.number_of_faces() >= 9);
+}
+
+// Fixed curves that single faces and edges join: each side of the box is two triangles.
+BOOST_AUTO_TEST_CASE(room_between_fixed_curves)
+{
+  Mesh mesh = generated::cube(1);
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, parameters::default_values().edge_is_constrained_map(sharp_edges(mesh)));
+  const auto& surface = field.surface();
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    BOOST_TEST(field.index(v) == int(v < 8));
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    int fixed = 0;
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      fixed += surface.is_fixed(h);
+    BOOST_TEST(fixed <= 1);
+  }
+  BOOST_TEST(run(field).layout.number_of_patches == 6);
+}
+
+BOOST_AUTO_TEST_CASE(feature_curves_divide_patches)
+{
+  Mesh mesh = generated::cube(4);
+  const auto is_feature = features(mesh, [](const auto& p, const auto& q) {
+    return p.z() == 1 && q.z() == 1 && p.x() == 0.5 && q.x() == 0.5;
+  });
+  Mesh quads;
+  const auto on_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  const auto patch = quads.add_property_map<Mesh::Face_index, int>("f:patch", -1).first;
+  QL::quad_remesh(mesh, quads,
+                  parameters::target_edge_length(0.1).edge_is_constrained_map(is_feature),
+                  parameters::edge_is_constrained_map(on_feature).face_patch_map(patch));
+  int patches = 0;
+  for (const auto f : faces(quads))
+    patches = (std::max)(patches, patch[f] + 1);
+  BOOST_TEST(patches > 6);
+  BOOST_TEST(QL::measure_quad_mesh(quads).patches == 6);
+  const auto np = parameters::default_values().edge_is_constrained_map(on_feature);
+  BOOST_TEST(QL::measure_quad_mesh(quads, np).patches == patches);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

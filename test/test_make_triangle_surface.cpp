@@ -4,12 +4,13 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE make_triangle_surface
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
 
+#include <CGAL/Quad_layouts/internal/field/matching.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
+#include <CGAL/Quad_layouts/internal/surface/separate_fixed_curves.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
@@ -19,7 +20,10 @@
 #include <limits>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_make_triangle_surface)
+
 namespace QL = CGAL::Quad_layouts;
+using QL::internal::euler_characteristic;
 using QL::internal::make_checked_surface;
 using QL::internal::make_triangle_surface;
 using QL::internal::Triangle;
@@ -36,11 +40,6 @@ const double infinity = std::numeric_limits<double>::infinity();
 Triangle_surface surface_of(const Mesh& mesh)
 {
   return make_triangle_surface(mesh, get(CGAL::vertex_point, mesh));
-}
-
-int euler_characteristic(const Triangle_surface& s)
-{
-  return s.number_of_vertices() - s.number_of_edges() + s.number_of_faces();
 }
 
 const Points tetrahedron_points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -220,3 +219,49 @@ BOOST_AUTO_TEST_CASE(refuses_vertices_with_several_fans)
   }
   check_refused<QL::Non_manifold_vertex>(points, triangles, "vertex 0");
 }
+
+// Faces are divided where curves are close, in several steps: all that comes behind the elements of
+// the given surface knows where it comes from.
+BOOST_AUTO_TEST_CASE(divided_surfaces)
+{
+  Triangle_surface whole = make_checked_surface(tetrahedron_points, tetrahedron);
+  const Triangle_surface same = QL::internal::separate_fixed_curves(whole);
+  BOOST_TEST(same.number_of_vertices() == 4);
+  BOOST_TEST(same.original().number_of_vertices() == 4);
+  for (const int h : {0, 1, 2, 4}) // the sides of the first face, and another one
+    whole.fix(h);
+  const Triangle_surface divided = QL::internal::separate_fixed_curves(whole);
+  BOOST_TEST(euler_characteristic(divided) == 2);
+  BOOST_TEST(divided.original().number_of_vertices() == 4);
+  BOOST_TEST(divided.original().number_of_faces() == 4);
+  BOOST_TEST(divided.number_of_faces() > 4);
+  std::vector<double> area(4, 0.);
+  int fixed = 0;
+  for (int f = 0; f < divided.number_of_faces(); ++f) {
+    const int origin = divided.origin(f);
+    if (f < 4) {
+      BOOST_TEST(origin == f);
+      BOOST_TEST(divided.source(3 * f) == whole.source(3 * f));
+    }
+    area[origin] += divided.area(f);
+    BOOST_TEST(divided.normal(f).dot(whole.normal(origin)) > 1 - 1e-12);
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      fixed += divided.is_fixed(h);
+  }
+  for (int f = 0; f < 4; ++f) {
+    BOOST_TEST(area[f] == whole.area(f), boost::test_tools::tolerance(1e-12));
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      BOOST_TEST(divided.original().is_fixed(h) == whole.is_fixed(h));
+  }
+  BOOST_TEST(fixed == 2 * 4);
+  for (int v = 4; v < divided.number_of_vertices(); ++v) {
+    QL::internal::Point sum(0, 0, 0);
+    for (const int parent : divided.parents(v)) {
+      BOOST_TEST(parent < v);
+      sum += divided.point(parent);
+    }
+    BOOST_TEST((divided.point(v) - sum / double(divided.parents(v).size())).norm() < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

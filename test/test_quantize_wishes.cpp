@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE quantize_wishes
 #include "exhaustive_search.h"
 #include "hand_made_t_meshes.h"
 
@@ -21,10 +20,13 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_quantize_wishes)
 
 using namespace exhaustive_search;
 
@@ -274,8 +276,8 @@ BOOST_AUTO_TEST_CASE(of_faces_beside_fixed_edges)
     const auto is_feature =
         mesh->add_property_map<generated::Mesh::Edge_index, bool>("e:feature", true).first;
     auto field_parameters = parameters::edge_is_constrained_map(is_feature);
-    const QL::T_mesh t = QL::trace_motorcycle_graph(QL::compute_cross_field(*mesh,
-                                                                            field_parameters));
+    const QL::T_mesh t = QL::trace_motorcycle_graph(
+        QL::compute_cross_field(*mesh, field_parameters));
     BOOST_TEST(t.surface().number_of_faces() > int(num_faces(*mesh)));
     auto weight = mesh->add_property_map<Face, double>("f:weight", 4.).first;
     for (const double w : QL::arc_weights(t, *mesh, weight))
@@ -336,10 +338,11 @@ template <class Image>
 std::vector<int> images(const QL::T_mesh::Surface& surface, Image&& image)
 {
   std::vector<int> result;
-  for (const auto& p : surface.points())
-    for (int v = 0; v < surface.number_of_vertices(); ++v)
-      if ((surface.point(v) - image(p)).norm() < 1e-9)
-        result.push_back(v);
+  const int n = surface.original().number_of_vertices();
+  for (int v = 0; v < n; ++v)
+    for (int w = 0; w < n; ++w)
+      if ((surface.point(w) - image(surface.point(v))).norm() < 1e-9)
+        result.push_back(w);
   return result;
 }
 
@@ -386,7 +389,7 @@ BOOST_AUTO_TEST_CASE(of_a_surface)
     for (int h = 0; h < surface->number_of_halfedges(); ++h) {
       const int g = symmetry.corner_image(h);
       BOOST_TEST(surface->source(g) == vertex_image[surface->source(h)]);
-      result += symmetry.turns_over(h);
+      result += symmetry.turns_over(h / 3);
     }
     return result;
   };
@@ -446,17 +449,14 @@ BOOST_AUTO_TEST_CASE(of_quantizations)
   BOOST_TEST(confirmed > 3);
 }
 
-// At the border, and with vertices added in the middle of split faces.
+// At the border, and with vertices added where faces are divided.
 BOOST_AUTO_TEST_CASE(of_surfaces_with_fixed_edges)
 {
   using Edge = generated::Mesh::Edge_index;
   generated::Mesh plate = generated::plate_with_holes(3, 3, {{1, 1}}, 2), cube = generated::cube(1);
-  const auto check_symmetry = [](const generated::Mesh& mesh, const QL::Cross_field& field,
-                                 const auto& image) {
+  const auto check_symmetry = [](const QL::Cross_field& field, const auto& image) {
     const QL::T_mesh t = QL::trace_motorcycle_graph(field);
-    std::vector<int> vertex_image = images(t.surface(), image);
-    vertex_image.resize(num_vertices(mesh));
-    const auto np = parameters::vertex_symmetry(vertex_image);
+    const auto np = parameters::vertex_symmetry(images(t.surface(), image));
     const Case c{"", t, 2, 0.01 * t.surface().diagonal()};
     const auto program = program_of(c, np);
     BOOST_TEST(program.mirrored.size() > 0);
@@ -465,20 +465,50 @@ BOOST_AUTO_TEST_CASE(of_surfaces_with_fixed_edges)
     BOOST_TEST(internal::grants_wishes(program, q.arc_length));
   };
   const QL::Cross_field on_plate = QL::compute_cross_field(plate);
-  check_symmetry(plate, on_plate, [](const Point& p) { return Point(3, 3, 0) - p; });
-  check_symmetry(plate, on_plate, [](const Point& p) { return Point(p.y(), p.x(), 0); });
+  check_symmetry(on_plate, [](const Point& p) { return Point(3, 3, 0) - p; });
+  check_symmetry(on_plate, [](const Point& p) { return Point(p.y(), p.x(), 0); });
 
   auto is_feature = cube.add_property_map<Edge, bool>("e:feature", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(cube, 40, is_feature);
-  const QL::Cross_field on_cube =
-      QL::compute_cross_field(cube, parameters::edge_is_constrained_map(is_feature));
-  BOOST_TEST(on_cube.surface().number_of_vertices() == 20);
-  check_symmetry(cube, on_cube, inverted);
-  check_symmetry(cube, on_cube, rotated);
-  BOOST_CHECK_THROW(check_symmetry(cube, on_cube, [](const Point& p) {
-                      return Point(1 - p.x(), p.y(), p.z());
-                    }),
-                    QL::Invalid_parameter);
+  const QL::Cross_field on_cube = QL::compute_cross_field(
+      cube, parameters::edge_is_constrained_map(is_feature));
+  BOOST_TEST(on_cube.surface().number_of_vertices() == 8 + 6 + 24);
+  check_symmetry(on_cube, inverted);
+  check_symmetry(on_cube, rotated);
+  const auto moves_diagonals = [](const Point& p) { return Point(1 - p.x(), p.y(), p.z()); };
+  BOOST_CHECK_THROW(check_symmetry(on_cube, moves_diagonals), QL::Invalid_parameter);
+}
+
+// In each side of a tetrahedron with fixed edges a singularity lies on a vertex that was added. The
+// sides of the cube are divided in several ways that are equally good, and so not all alike.
+BOOST_AUTO_TEST_CASE(of_divided_faces)
+{
+  generated::Mesh tetrahedron = generated::tetrahedron(), cube = generated::cube(1);
+  for (generated::Mesh* mesh : {&tetrahedron, &cube}) {
+    const auto is_feature =
+        mesh->add_property_map<generated::Mesh::Edge_index, bool>("e:feature", true).first;
+    const QL::T_mesh t = QL::trace_motorcycle_graph(QL::compute_cross_field(
+        *mesh, parameters::default_values().edge_is_constrained_map(is_feature)));
+    const QL::T_mesh::Surface& surface = t.surface();
+    const int n = int(num_vertices(*mesh));
+    const std::vector<int> vertex_image = mesh == &cube ? images(surface, rotated)
+                                                        : std::vector<int>{0, 2, 3, 1};
+    const internal::Surface_symmetry symmetry(surface, vertex_image);
+    int added = 0;
+    for (int node = 0; node < t.number_of_vertices(); ++node)
+      if (const int v = t.surface_vertex(node); v >= n) {
+        ++added;
+        BOOST_TEST_REQUIRE(symmetry.vertex_image(v) >= n);
+      }
+    BOOST_TEST(added > 0);
+    const Case c{"", t, 2, 0.01 * surface.diagonal()};
+    std::set<int> mirrored;
+    for (const auto& e : program_of(c, parameters::vertex_symmetry(vertex_image)).mirrored) {
+      mirrored.insert(e.left.begin(), e.left.end());
+      mirrored.insert(e.right.begin(), e.right.end());
+    }
+    BOOST_TEST(int(mirrored.size()) > 0.8 * t.number_of_edges());
+  }
 }
 
 // The program for other solvers has the wishes, and solutions that do not are refused.
@@ -496,5 +526,7 @@ BOOST_AUTO_TEST_CASE(of_what_is_written_and_read)
   BOOST_TEST(QL::IO::read_quantization(separate, t, wished).objective == 8);
   BOOST_CHECK_THROW(QL::IO::read_quantization(again, t, wished), QL::Stage_failure);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

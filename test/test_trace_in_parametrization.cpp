@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE trace_in_parametrization
 #include "generated_meshes.h"
 #include "invariants.h"
 
@@ -22,6 +21,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_trace_in_parametrization)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -325,3 +326,5 @@ BOOST_AUTO_TEST_CASE(models)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

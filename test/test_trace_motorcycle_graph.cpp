@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE trace_motorcycle_graph
 #include "generated_fields.h"
 #include "generated_meshes.h"
 #include "invariants.h"
@@ -21,6 +20,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_trace_motorcycle_graph)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -332,3 +333,5 @@ BOOST_AUTO_TEST_CASE(a_visitor_can_stop_the_work)
   BOOST_CHECK_THROW(QL::trace_motorcycle_graph(field, parameters::visitor(Impatient())),
                     QL::Cancelled);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

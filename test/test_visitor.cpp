@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE visitor
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Quad_layouts/visitor.h>
@@ -13,6 +12,8 @@
 #include <functional>
 #include <memory>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_visitor)
 
 namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
@@ -104,3 +105,5 @@ BOOST_AUTO_TEST_CASE(visitor_stops_the_work)
   BOOST_CHECK_THROW(work(params::visitor(std::ref(diary))), QL::Cancelled);
   BOOST_TEST(*diary.text == "<a.a><b9/8!");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -245,7 +245,8 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                                     : read_solution(options.solution, r.t_mesh, np);
   });
   if (r.quantization.status == QL::Quantization::INFEASIBLE)
-    throw QL::Stage_failure("quantize: no valid quantization was found");
+    throw QL::Stage_failure("quantize: no valid quantization was found" +
+                            (r.quantization.reason.empty() ? "" : "; " + r.quantization.reason));
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
   r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, limited()); });
   clock("quad_mesh", [&] {
@@ -260,7 +261,9 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                          QL::parameters::default_values().edge_is_constrained_map(features));
   });
   clock.finish();
-  r.quality = QL::measure_quad_mesh(r.quads);
+  r.quality = QL::measure_quad_mesh(r.quads,
+                                    QL::parameters::default_values().edge_is_constrained_map(
+                                        on_feature));
 }
 
 #endif // QUAD_LAYOUTS_EXAMPLES_STAGES_H

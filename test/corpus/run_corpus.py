@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Runs the command on every model of some folders and prints one line per model and a summary.
 
-    run_corpus.py --program build/examples/quad_layout [--data DIR ...] [--models NAME ...]
-                  [--metrics quad_metrics.py] [--strict] [--jobs 2] [--output DIR] [--table FILE]
+    run_corpus.py --program build/examples/quad_layout [--data DIR ...] [--models NAME ...] [--features DEG]
+                  [--metrics quad_metrics.py] [--strict] [--jobs 2] [--seconds S] [--output DIR] [--table FILE]
 
 A model passes if the command succeeds, the map is valid, no T-junction is left and, with --metrics (a program that measures
-a quad mesh and prints JSON), the independent measures agree with stats.json. With --strict every model also runs with
-maximum displacement 0, and must not have fewer patches than with the default. What is no oriented manifold of triangles
-has to be refused for the right reason, and to pass after --repair. Exit status: the number of failures, at most 100.
+a quad mesh and prints JSON), the independent measures agree with stats.json. With --features edges sharper than the angle
+are kept, and no point of them or of the border may be farther from the edges of the quads than a thousandth of the bounding
+box's diagonal. With --strict every model also runs with maximum displacement 0, and must not have fewer patches than with
+the default. What is no oriented manifold of triangles has to be refused for the right reason, and to pass after --repair.
+Exit status: the number of failures, at most 100.
 """
 import argparse
 import concurrent.futures
@@ -21,15 +23,25 @@ import subprocess
 import sys
 import time
 
-COLUMNS = ("model", "faces", "S in", "S out", "floor", "P r=0", "P", "quads", "MSJ min", "MSJ avg",
+COLUMNS = ("model", "faces", "S in", "S out", "floor", "P r=0", "P", "quads", "MSJ min", "MSJ avg", "feature",
            "field", "trace", "quantize", "embed", "smooth", "total", "status", "gap", "verdict")
 
 
-def run(program, model, out, *options):
+PYTHON = "/usr/bin/python3"        # the one that numpy is installed for
+GREATEST_FEATURE_DISTANCE = 1e-3
+
+
+def run(options, model, out, *more):
     """Run the command; return (statistics or None, its last line on stderr, seconds)."""
     start = time.time()
-    done = subprocess.run([program, model, "--output", out, "--quiet", *options],
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    command = [options.program, model, "--output", out, "--quiet", *more]
+    if options.features:
+        command += ["--features", str(options.features)]
+    try:
+        done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              timeout=options.seconds)
+    except subprocess.TimeoutExpired:
+        return None, "not done after %g s" % options.seconds, time.time() - start
     if done.returncode != 0:
         last = (done.stderr.strip().splitlines() or ["exit status %d" % done.returncode])[-1]
         return None, last, time.time() - start
@@ -37,29 +49,45 @@ def run(program, model, out, *options):
         return json.load(stream), "", time.time() - start
 
 
-def disagreements(stats, metrics, surface, out):
-    """Measure the quad mesh independently; return what differs from stats.json or is invalid."""
-    done = subprocess.run(["/usr/bin/python3", metrics, os.path.join(out, "quad_mesh.obj"), "--surface", surface],
+def feature_distance(surface, out, angle):
+    """Return how far the feature curves and the border are from the edges of quads, by the diagonal."""
+    program = os.path.join(os.path.dirname(os.path.abspath(__file__)), "feature_distance.py")
+    done = subprocess.run([PYTHON, program, surface, os.path.join(out, "quad_mesh.obj"), str(angle)],
+                          capture_output=True, text=True, check=True)
+    return float(done.stdout)
+
+
+def disagreements(stats, metrics, surface, out, features):
+    """Measure the quad mesh independently; return what differs from stats.json or is invalid. The measures know nothing
+    of features."""
+    done = subprocess.run([PYTHON, metrics, os.path.join(out, "quad_mesh.obj"), "--surface", surface],
                           capture_output=True, text=True)
     if done.returncode != 0:
         return ["metrics failed: " + done.stderr.strip()]
     found = json.loads(done.stdout)
     wanted = {"non_quads": 0, "non_manifold_edges": 0, "non_manifold_vertices": 0, "inverted_quads": 0,
-              "quads_against_surface": 0, "boundary_edges": 0, "oriented": True,
-              "base_complex_patches": stats["patches"], "euler": stats["input"]["euler"],
-              "irregular_interior": stats["singularities_out"], "quads": stats["quads"],
+              "quads_against_surface": 0, "oriented": True, "euler": stats["input"]["euler"], "quads": stats["quads"],
               "components": stats["input"]["components"]}
+    if stats["input"]["borders"] == 0:
+        wanted.update({"boundary_edges": 0, "irregular_interior": stats["singularities_out"]})
+        if not features:
+            wanted["base_complex_patches"] = stats["patches"]
     return [f"{key} is {found[key]}, not {value}" for key, value in wanted.items() if found[key] != value]
+
+
+def output_of(model, options, repair=False):
+    """Name the folder for what is made of a model; files of one name may be in several folders."""
+    folder, file = os.path.split(os.path.abspath(model))
+    return os.path.join(options.output, os.path.basename(folder), os.path.splitext(file)[0] + " repaired" * repair)
 
 
 def examine(model, options, repair=False):
     """Run one model; return its row of the table and whether it passed."""
-    name = os.path.splitext(os.path.basename(model))[0] + (" repaired" if repair else "")
-    out = os.path.join(options.output, name)
+    out = output_of(model, options, repair)
     how = ["--repair"] if repair else []
-    stats, reason, seconds = run(options.program, model, out, *how)
+    stats, reason, seconds = run(options, model, out, *how)
     row = dict.fromkeys(COLUMNS, "")
-    row["model"] = name
+    row["model"] = os.path.basename(out)
     if stats is None:
         row.update(total="%.1f" % seconds, verdict=reason)
         return row, False
@@ -73,10 +101,16 @@ def examine(model, options, repair=False):
     faults = [f"{key} {stats['map'][key]}" for key in ("inverted", "wrong_winding") if stats["map"][key]]
     if stats["t_junctions"]:
         faults.append("T-junctions")
-    if options.metrics and not repair:  # which changes the surface
-        faults += disagreements(stats, options.metrics, model, out)
+    if not repair:                                      # which changes the surface
+        if options.metrics:
+            faults += disagreements(stats, options.metrics, model, out, options.features)
+        if options.features or stats["input"]["borders"] > 0:
+            distance = feature_distance(model, out, options.features or 180)
+            row["feature"] = "%.1e" % distance
+            if distance > GREATEST_FEATURE_DISTANCE:
+                faults.append("features are %.2g away" % distance)
     if options.strict:
-        strict, reason, _ = run(options.program, model, out + "-strict", "--displacement", "0", *how)
+        strict, reason, _ = run(options, model, out + "-strict", "--displacement", "0", *how)
         row["P r=0"] = strict["patches"] if strict else "fails"
         if strict is None:
             faults.append("r = 0: " + reason)
@@ -147,11 +181,11 @@ def defects(model):
 
 def examine_refused(model, words, options):
     """Check that the command refuses a model for one of the right reasons."""
-    name = os.path.splitext(os.path.basename(model))[0]
-    stats, reason, seconds = run(options.program, model, os.path.join(options.output, name))
+    out = output_of(model, options)
+    stats, reason, seconds = run(options, model, out)
     row = dict.fromkeys(COLUMNS, "")
     passed = stats is None and any(w in reason for w in words)
-    row.update(model=name, total="%.1f" % seconds,
+    row.update(model=os.path.basename(out), total="%.1f" % seconds,
                verdict=("ok, refused: " if passed else "not refused for " + ", ".join(sorted(words)) + ": ") + reason)
     return row, passed
 
@@ -178,6 +212,8 @@ def main():
     parser.add_argument("--program", required=True)
     parser.add_argument("--data", nargs="+", default=[os.path.join(os.environ.get("CGAL_DATA_DIR", "."), "meshes")])
     parser.add_argument("--models", nargs="*")
+    parser.add_argument("--features", type=float, default=0, help="the angle of sharp edges, in degrees")
+    parser.add_argument("--seconds", type=float, default=600, help="that a model may take")
     parser.add_argument("--metrics")
     parser.add_argument("--strict", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)

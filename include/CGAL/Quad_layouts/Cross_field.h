@@ -36,8 +36,9 @@ of the directions of adjacent faces, and the index of each vertex that follows.
 The elements of the mesh are numbered: face `f` is the `f`-th of `faces(tm)`, vertex `v` the `v`-th
 of `vertices(tm)`. The field carries a compact copy of the mesh, its *surface*, in which face `f`
 owns the halfedges `3f`, `3f+1`, `3f+2`, in the order in which `halfedge(f, tm)` and its successors
-come in the mesh. A face with several border edges is divided in three: two of the parts follow behind the
-last face of the mesh, as their common vertex behind the last vertex.
+come in the mesh. Where fixed edges are close to each other, faces are divided: one part has the
+number of the face and begins its first halfedge where the face does, the others follow behind the
+last face of the mesh, as new vertices behind the last vertex.
 
 Direction `d` (0 to 3, counter-clockwise) of face `f` has the angle `angle(f)` + `d` pi/2 with the
 first halfedge of the face.

@@ -19,15 +19,16 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsClasses
 
-is an oriented cell complex on a surface, with or without border, stored as a halfedge structure in index arrays.
+is an oriented cell complex on a surface, with or without border, stored as a halfedge structure in
+index arrays.
 
 It is the common base of `T_mesh` and `Quad_layout`. Unlike most mesh structures it allows what
 coarse layouts need: an edge may be a loop, a face may touch itself along an edge or in a vertex,
 two vertices may be joined by several edges (a torus can have a single face).
 
 Vertices, edges, halfedges and faces are numbered from 0. Edge `e` has the halfedges `2e` and
-`2e+1`; halfedge `h` has its face on its left. Halfedges on the border have the face -1, and are linked
-to the next ones along the border.
+`2e+1`; halfedge `h` has its face on its left. Halfedges on the border have the face -1, and are
+linked to the next ones along the border.
 
 `Halfedge_complex` and the classes derived from it are models of `FaceListGraph` and
 `HalfedgeListGraph`: include `CGAL/Quad_layouts/graph_traits_Halfedge_complex.h`.
@@ -64,8 +65,8 @@ public:
       g = next(g);
     return g;
   }
-  /// returns a halfedge whose *source* is `v`, -1 if there is none; on the border the one that has the
-  /// border on its right.
+  /// returns a halfedge whose *source* is `v`, -1 if there is none; on the border the one that has
+  /// the border on its right.
   int halfedge_from(int v) const { return vertex_halfedge[v]; }
   /// returns a halfedge of face `f`.
   int halfedge_of(int f) const { return face_halfedge[f]; }

@@ -28,11 +28,12 @@ is a map of a surface onto a quad layout, whose edges have integer lengths: an i
 Each triangle of the (refined) surface has a chart, in which its corners have coordinates. Across an
 edge the chart changes by a number of quarter-turns and an integer translation. Layout vertices are
 at integer points, layout edges on integer lines. Around an *anchor*, a surface vertex that is a
-layout vertex of valence n, the triangles span n quarter-turns, around every other vertex four. On the
-border it is one quarter-turn less. Fixed curves, like the border, are on integer lines.
+layout vertex of valence n, the triangles span n quarter-turns, around every other vertex four. On
+the border it is one quarter-turn less. Fixed curves, like the border, are on integer lines.
 
 All coordinates are multiples of one power of two, at most 2^-24, and below 2^48 times that in
-magnitude. So transitions are exact in double precision, and predicates on them can be decided exactly.
+magnitude. So transitions are exact in double precision, and predicates on them can be decided
+exactly.
 */
 class Integer_grid_map
 {

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_QUANTIZATION_H
 
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -29,6 +30,7 @@ struct Quantization
 
   std::vector<int> arc_length; ///< per arc of the T-mesh
   Status status = INFEASIBLE;
+  std::string reason;   ///< why, and where, there is no valid quantization, as far as this is known
   double objective = 0; ///< Equation (9) of \cgalCite{lck-sqlrs-21}
   double bound = -(
       std::numeric_limits<double>::infinity)(); ///< no valid quantization is below this

@@ -27,10 +27,10 @@ motorcycle graph
 
 As a cell complex its vertices are called *nodes*, its edges *arcs*, its faces *patches*. Node kinds
 are singularities and seeds (both at a vertex of the surface), crossings of two traces, and
-T-joints, where a trace ends on another. *Fixed* curves, like the border, are made of traces, too, which
-run from one of their singularities or seeds to the next, on the border with the surface on their left;
-the last arc of each ends there. Arc `a` belongs to one trace; its halfedge `2a` points the
-way the trace runs.
+T-joints, where a trace ends on another. *Fixed* curves, like the border, are made of traces, too,
+which run from one of their singularities or seeds to the next, on the border with the surface on
+their left; the last arc of each ends there. Arc `a` belongs to one trace; its halfedge `2a` points
+the way the trace runs.
 
 A patch is a disc with four corners; `is_corner(h)` says that the patch of `h` has a corner between
 `h` and `next(h)`. A patch's *side* is a maximal chain of halfedges without a corner inside.
@@ -86,8 +86,8 @@ public:
   bool is_corner(int h) const { return halfedge_is_corner[h] != 0; }
   /// returns the vertex of the surface at which node `n` lies, -1 for crossings and T-joints.
   int surface_vertex(int n) const { return node_surface_vertex[n]; }
-  /// returns the index of node `n` in quarters; 0 for crossings, T-joints and seeds. On the border it is
-  /// two minus the number of quadrants.
+  /// returns the index of node `n` in quarters; 0 for crossings, T-joints and seeds. On the border
+  /// it is two minus the number of quadrants.
   int index(int n) const { return node_index[n]; }
   /// says if traces begin at node `n`.
   bool is_singularity_or_seed(int n) const { return node_surface_vertex[n] >= 0; }
@@ -132,9 +132,9 @@ public:
   /// per edge of the surface the halfedges of the arcs that run along it, in order along
   /// `surface().halfedge_of_edge(e)` and in that direction; empty unless it is fixed.
   std::vector<std::vector<int>> edge_arcs;
-  /// where each of `edge_crossings`, or each node between two of `edge_arcs`, lies: the fraction of the
-  /// edge before it. It never decreases along an edge; where lines converge beyond the resolution of
-  /// numbers it stays the same.
+  /// where each of `edge_crossings`, or each node between two of `edge_arcs`, lies: the fraction of
+  /// the edge before it. It never decreases along an edge; where lines converge beyond the
+  /// resolution of numbers it stays the same.
   std::vector<std::vector<double>> crossing_parameters;
   /// per arc the edges of the surface that it crosses, in the order of travel; none on fixed
   /// curves.

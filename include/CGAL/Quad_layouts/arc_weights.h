@@ -11,7 +11,6 @@
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/weighted_lengths.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
-#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/property_map.h>
@@ -62,7 +61,7 @@ std::vector<double> arc_weights(const T_mesh& t_mesh, const TriangleMesh& tm,
     face_weight.push_back(get(weights, f));
     require_positive("face_weight_map", face_weight.back());
   }
-  CGAL_precondition(int(face_weight.size()) == number_of_original_faces(t_mesh.surface()));
+  CGAL_precondition(int(face_weight.size()) == t_mesh.surface().original().number_of_faces());
 
   const Weights_along_arcs along_arcs(t_mesh, face_weight);
   std::vector<double> result = quantization_program::weights(t_mesh, along_arcs.lengths());

@@ -14,7 +14,7 @@
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
-#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
+#include <CGAL/Quad_layouts/internal/surface/separate_fixed_curves.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
@@ -54,9 +54,11 @@ spread over several vertices where the mesh has them; in such places the matchin
 the one that turns the field least. A given field keeps its directions; only the matchings and
 indices are computed.
 
-Along *fixed* edges, which are those on the border and the constrained ones, the field always has the
-direction of the edges, also where another direction is prescribed or given. Faces with several fixed
-edges are divided in three on the field's surface.
+Along *fixed* edges, which are those on the border and the constrained ones, the field always has
+the direction of the edges, also where another direction is prescribed or given. Between two of them
+that follow each other around a vertex it has a quadrant at least, however acute the angle is. On
+the field's surface, other edges that join two vertices of fixed ones are divided, and so are faces
+with three fixed edges: a field needs room.
 
 The indices of the field sum to four times the Euler characteristic. The components of the mesh do
 not influence one another, neither do scale and position; and the same input has the same output on
@@ -83,8 +85,8 @@ every run.
     \cgalParamDefault{`DIFFUSION`}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the edges of feature curves, which are kept: they are lines of the field, of
-                          the T-mesh and of the layout, and quad vertices stay on them}
+    \cgalParamDescription{the edges of feature curves, which are kept: they are lines of the field,
+                          of the T-mesh and of the layout, and quad vertices stay on them}
     \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh`
                    as key type and `bool` as value type}
     \cgalParamDefault{none: only the border is kept}
@@ -158,22 +160,22 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
   using parameters::get_parameter;
 
   internal::Cross_field_options options;
-  options.method =
-    choose_parameter(get_parameter(np, internal_np::cross_field_method), options.method);
+  options.method = choose_parameter(get_parameter(np, internal_np::cross_field_method),
+                                    options.method);
   options.curvature_alignment = choose_parameter(
-    get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
-  options.diffusion_time =
-    choose_parameter(get_parameter(np, internal_np::diffusion_time), options.diffusion_time);
+      get_parameter(np, internal_np::curvature_alignment), options.curvature_alignment);
+  options.diffusion_time = choose_parameter(get_parameter(np, internal_np::diffusion_time),
+                                            options.diffusion_time);
   options.number_of_iterations = choose_parameter(
-    get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
+      get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
   internal::check_field_options(options);
 
   const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(vertex_point, tm));
-  const auto directions =
-    internal::read_face_vectors(tm, get_parameter(np, internal_np::face_direction_map));
-  const auto constraints =
-    internal::read_face_vectors(tm, get_parameter(np, internal_np::face_constraint_map));
+  const auto directions = internal::read_face_vectors(
+      tm, get_parameter(np, internal_np::face_direction_map));
+  const auto constraints = internal::read_face_vectors(
+      tm, get_parameter(np, internal_np::face_constraint_map));
 
   const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
 
@@ -182,7 +184,7 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
     internal::Triangle_surface whole = internal::make_triangle_surface(tm, points);
     internal::fix_constrained_edges(tm, is_constrained, whole);
     const auto surface = std::make_shared<const internal::Triangle_surface>(
-      internal::split_fixed_faces(whole));
+        internal::separate_fixed_curves(whole));
     monitor.check("compute_cross_field");
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);

@@ -32,9 +32,9 @@ inline void check_map(const Integer_grid_map& map, const Quad_layout& layout)
 {
   CGAL_precondition(int(map.chord_length.size()) == layout.number_of_chords);
   if (map.inverted > 0 || map.wrong_winding > 0)
-    throw Stage_failure("quad mesh: the map has " + std::to_string(map.inverted)
-                        + " inverted triangles and " + std::to_string(map.wrong_winding)
-                        + " vertices of a wrong angle sum");
+    throw Stage_failure("quad mesh: the map has " + std::to_string(map.inverted) +
+                        " inverted triangles and " + std::to_string(map.wrong_winding) +
+                        " vertices of a wrong angle sum");
   CGAL_USE(layout);
 }
 
@@ -94,8 +94,8 @@ below
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{a property map that tells which edges lie on fixed curves: features and the
-                          border}
+    \cgalParamDescription{a property map that tells which edges lie on fixed curves: features and
+                          the border}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
                    type}
@@ -128,9 +128,9 @@ void extract_quad_mesh(const Integer_grid_map& map, const Quad_layout& layout, Q
   using parameters::choose_parameter;
   using parameters::get_parameter;
   constexpr bool has_target =
-    !parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::target_edge_length_t>::value;
-  const double target =
-    choose_parameter(get_parameter(np_out, internal_np::target_edge_length), 0.);
+      !parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::target_edge_length_t>::value;
+  const double target = choose_parameter(get_parameter(np_out, internal_np::target_edge_length),
+                                         0.);
   if (has_target)
     internal::require_positive("target_edge_length", target);
   internal::check_map(map, layout);

@@ -46,7 +46,8 @@ struct Quad_mesh_measures
 
   int irregular_vertices = 0;  ///< of a valence other than 4 (3 on the border)
   std::map<int, int> valences; ///< number of interior vertices of each valence that occurs
-  int patches = 0;             ///< faces of the base complex; 0 if there are non-quads
+  int patches = 0; ///< faces of the base complex, which feature curves divide, too; 0 if there are
+                   ///< non-quads
   int patches_floor = 0; ///< least number of patches that the irregular vertices allow: each is a
                          ///< corner of as many patches as its valence, and a patch has four corners
   int t_junctions = 0; ///< corners by which faces exceed four; a quad with such a corner on a side
@@ -154,8 +155,11 @@ Polygons make_polygons_with_parameters(const PolygonMesh& mesh, const NamedParam
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  return make_polygons(mesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                              get_const_property_map(CGAL::vertex_point, mesh)));
+  Polygons result = make_polygons(
+      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                             get_const_property_map(CGAL::vertex_point, mesh)));
+  mark_features(mesh, get_parameter(np, internal_np::edge_is_constrained), result);
+  return result;
 }
 
 } // namespace internal
@@ -173,6 +177,13 @@ measures a quad mesh.
 below
 
 \cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges of `quads` on feature curves, which divide patches}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `quads`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -212,6 +223,14 @@ measures a quad mesh and how closely it follows a surface.
 those listed below
 
 \cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges of `quads` on feature curves, which divide patches}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{for `np_quads` only}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of the mesh}
     \cgalParamType{a class model of `ReadablePropertyMap` with the mesh's vertex descriptor as

@@ -10,7 +10,6 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Chord_splitter.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seamless_optimization.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
@@ -21,11 +20,10 @@ namespace Quad_layouts {
 
 namespace internal {
 
-inline Seamless_parametrization seamless_parametrization(const Cross_field& given,
+inline Seamless_parametrization seamless_parametrization(const Cross_field& field,
                                                          double edge_length, int most_steps,
                                                          const Monitor& monitor)
 {
-  const Cross_field field = Chord_splitter(given).split();
   Seamless_optimization optimization(field, edge_length, most_steps, monitor);
   optimization.align();
   optimization.repair_windings();
@@ -44,8 +42,7 @@ plane minimises the deviation of its Jacobians from the directions of the field 
 length (Bommes, Zimmer and Kobbelt, <em>Mixed-integer quadrangulation</em>, 2009), such that both sides
 of each cut are equal up to quarter-turns and translations. These are real, not rounded to integers: the
 parametrization is seamless, but no integer-grid map. Fixed edges of the field's surface get a constant
-coordinate; other edges between two vertices at fixed edges, which could become part of the same line,
-are divided on the surface of the result. Then inverted triangles are turned back by the regularized
+coordinate. Then inverted triangles are turned back by the regularized
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
 unknowns of the seamless maps, so that the map stays seamless. Vertices of valence 5 and more around which
 triangles cover the wrong angle get their triangles spread over the right one first, and then the same is

@@ -62,7 +62,8 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Ti
   const double seconds = budget.left_for_search(Quantization_options::default_seconds);
   const Quantization quantization = quantize_on_mesh(t_mesh, tm, with_time_limit(np, seconds));
   if (quantization.status == Quantization::INFEASIBLE)
-    throw Stage_failure("quantize: no valid layout was found that meets all demands");
+    throw Stage_failure("quantize: no valid layout was found that meets all demands" +
+                        (quantization.reason.empty() ? "" : "; " + quantization.reason));
   return extract_quad_layout(t_mesh, quantization);
 }
 
@@ -83,8 +84,8 @@ void remove_all(Mesh& mesh)
     remove_vertex(v, mesh);
 }
 
-// the pack, with a map for the edges on fixed curves if it has none; its values go to `on_curve`, as
-// the mesh has no edges yet
+// the pack, with a map for the edges on fixed curves if it has none; its values go to `on_curve`,
+// as the mesh has no edges yet
 template <class Edges, class NamedParameters>
 auto with_edge_map(Edges& on_curve, const NamedParameters& np)
 {
@@ -184,8 +185,7 @@ void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
   const auto np_map = with_time_limit(np, budget.left_for("embed_quad_layout"));
   extract_quad_mesh(embed_quad_layout(t_mesh, layout, np_map), layout, out, np_quads);
   try {
-    smooth_quad_mesh(out, tm, np_quads,
-                     with_time_limit(np, budget.left_for_improvement()));
+    smooth_quad_mesh(out, tm, np_quads, with_time_limit(np, budget.left_for_improvement()));
   } catch (...) {
     internal::remove_all(out);
     throw;

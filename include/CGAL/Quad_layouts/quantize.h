@@ -42,10 +42,10 @@ changes neither topology nor orientation, and no merged vertex has an index out 
 Programs with up to about a hundred singularities are mostly solved to the relative gap in less than
 a second. Where thousands of pairs of singularities are close, the solver sees only the index rows
 that some solution has violated; the bound holds without the others, and each solution is checked
-against all. Cuts that turn invalid layouts away may, in rare cases, exclude a valid one as well; the
-bound does not rest on these. The parts of the search end by limits of work, so that the result does
-not depend on the speed of the machine, unless a part reaches its share of the time limit or the
-whole search the limit itself, which is usual above about one hundred singularities.
+against all. Cuts that turn invalid layouts away may, in rare cases, exclude a valid one as well;
+the bound does not rest on these. The parts of the search end by limits of work, so that the result
+does not depend on the speed of the machine, unless a part reaches its share of the time limit or
+the whole search the limit itself, which is usual above about one hundred singularities.
 
 @tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
         `GLPK_mixed_integer_program_traits<double>`; `CBC_mixed_integer_program_traits<double>` and

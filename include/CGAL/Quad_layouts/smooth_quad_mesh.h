@@ -66,10 +66,10 @@ Monitor monitor_from(const NamedParameters& np, const OtherParameters& other)
 moves the vertices of a quad mesh on a surface, so that its quads get closer to rectangles.
 
 All vertices move, irregular ones too: this is the step that carries the singularities of a layout
-to better places (\cgalCite{lck-sqlrs-21}, Section 5). Only irregular vertices on the border and
-on features, and corners of these, stay where they are; others slide along them. First the vertices are put
-on the surface. Then they are moved to weighted means of their neighbours, where edges count more
-the longer they are and the more the surface bends along them. At last the quads' angles are
+to better places (\cgalCite{lck-sqlrs-21}, Section 5). Only irregular vertices on the border and on
+features, and corners of these, stay where they are; others slide along them. First the vertices are
+put on the surface. Then they are moved to weighted means of their neighbours, where edges count
+more the longer they are and the more the surface bends along them. At last the quads' angles are
 optimized, by Newton steps for one vertex at a time. A move that would turn a quad inside out, or
 over by more than 60 degrees against the surface, is not made. Quads that are inverted all the same,
 or oppose the triangles nearest to their centres, are untangled at the end, each group with as much
@@ -98,8 +98,8 @@ listed below
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the edges of `quads` on feature curves. Their vertices stay on constrained
                           edges of the surface.}
-    \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of `QuadMesh` as key
-                   type and `bool` as value type}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of `QuadMesh` as
+                   key type and `bool` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}

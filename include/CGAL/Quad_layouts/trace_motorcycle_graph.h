@@ -41,11 +41,13 @@ along edges is kept explicitly, so rounding cannot change the partition. Traces 
 end when they are many times as long as the surface is wide. A component without singularities gets
 a seed, a regular vertex from which four traces start.
 
-Traces that wind around a limit cycle can leave arcs between them that have length 0 in all consistent
-quantizations. Where such arcs join singularities, these traces are not extended: they stop at the first
-trace that they meet, as in a motorcycle graph. So quantizations can keep all singularities apart,
-unless that is not enough: to a single pair of valence 3 and 5 on a torus, for instance, no quad mesh
-belongs (\cgalCite{ikrss-ntt-13}).
+Traces that wind around a limit cycle can leave arcs between them that have length 0 in all
+consistent quantizations. Where such arcs join singularities, these traces are not extended: they
+stop at the first trace that they meet, as in a motorcycle graph. So quantizations can keep all
+singularities apart, unless that is not enough: to a single pair of valence 3 and 5 on a torus, for
+instance, no quad mesh belongs (\cgalCite{ikrss-ntt-13}). Where fixed curves would fall together
+even so, further pairs of singularities, of valence 3 and 5, are put between them
+(\cgalCite{mpz-rfagp-14}).
 
 The border and other fixed curves are made of traces, too. Motorcycles that get to the border stop;
 fixed lines inside of the surface count as traces that start at both their ends. Closed fixed curves

@@ -146,9 +146,10 @@ void read_cross_field(std::istream& in, Cross_field_format format, const Triangl
 /*!
 \ingroup PkgQuadLayoutsIO
 
-writes a cross field. Vertices and faces are numbered as in the user's mesh; of a face that is divided on
-the surface of the field, the direction at its first halfedge is written. In the format `FFIELD_MPZ14`
-fixed edges, but for those on the border, are sharp.
+writes a cross field. Vertices and faces are numbered as in the user's mesh; of a face that is
+divided on the surface of the field, the part that begins its first halfedge is written, so
+singularities inside are not. In the format `FFIELD_MPZ14` fixed edges, but for those on the border,
+are sharp.
 
 \returns whether writing succeeded
 */
@@ -156,28 +157,27 @@ inline bool write_cross_field(std::ostream& out, const Cross_field& field,
                               Cross_field_format format)
 {
   using namespace internal;
-  const Split_faces faces(field.surface());
   out.precision((std::numeric_limits<double>::max_digits10));
   switch (format) {
     case ROSY:
-      out << faces.number_of_faces() << "\n4\n";
-      write_directions(out, field, faces, 1);
+      out << field.surface().original().number_of_faces() << "\n4\n";
+      write_directions(out, field, 1);
       break;
     case RAWFIELD:
-      out << "4 " << faces.number_of_faces() << '\n';
-      write_directions(out, field, faces, 4);
+      out << "4 " << field.surface().original().number_of_faces() << '\n';
+      write_directions(out, field, 4);
       break;
     case FFIELD:
       out << "# cross field\ntarget frame\n";
-      write_frames(out, field, faces);
+      write_frames(out, field);
       break;
     case FFIELD_MPZ14:
       out << "# version 2\ntarget_frame\n";
-      write_frames(out, field, faces);
+      write_frames(out, field);
       out << "crossfield_angles\n";
-      write_angles(out, field, faces);
+      write_angles(out, field);
       out << "fixed\n0\nfixed_vertices\n0\nMI_matchings_and_sharp\n";
-      write_matchings(out, field, faces);
+      write_matchings(out, field);
       break;
   }
   return out.good();

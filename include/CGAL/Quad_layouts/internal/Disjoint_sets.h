@@ -16,8 +16,8 @@ namespace internal {
 
 // A partition of 0, 1, ..., n - 1 into sets that can be united.
 //
-// It stands in for boost::disjoint_sets_with_storage, whose header (Boost 1.74) does not compile after
-// boost/graph/adjacency_list.hpp, which users may well include before ours.
+// It stands in for boost::disjoint_sets_with_storage, whose header (Boost 1.74) does not compile
+// after boost/graph/adjacency_list.hpp, which users may well include before ours.
 class Disjoint_sets
 {
 public:

@@ -97,8 +97,8 @@ private:
     return good;
   }
 
-  // sets the starts of all halfedges around the source of h, `heading` being that of h, or a place on
-  // the border
+  // sets the starts of all halfedges around the source of h, `heading` being that of h, or a place
+  // on the border
   bool set_starts(int h, const Map_heading& heading, std::vector<int>& reached,
                   std::queue<int>& queue)
   {

@@ -20,11 +20,11 @@ namespace internal {
 
 // A triangle mesh with curves along its edges, which can be split and collapsed.
 //
-// Halfedges are numbered as in Triangle_surface. Beyond the border there are *outer* triangles, each
-// of which joins an edge of the border to one vertex at infinity: so all edges have two halfedges,
-// and the structure is closed. New vertices and faces are appended. When a
-// halfedge is split, those that leave its source keep their numbers. What collapses remove stays in
-// the arrays, without connections, until `compact()`.
+// Halfedges are numbered as in Triangle_surface. Beyond the border there are *outer* triangles,
+// each of which joins an edge of the border to one vertex at infinity: so all edges have two
+// halfedges, and the structure is closed. New vertices and faces are appended. When a halfedge is
+// split, those that leave its source keep their numbers. What collapses remove stays in the arrays,
+// without connections, until `compact()`.
 class Curve_mesh
 {
 public:

@@ -18,9 +18,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <utility>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -32,10 +32,10 @@ namespace internal {
 //
 // Away from the preimages of the layout vertices, a layout edge follows one of the arcs that are
 // mapped to it. The preimage of a layout vertex has a neighbourhood that is a disc: inside, the
-// edges go to one vertex in the middle, which is on a fixed curve if there is one in the disc; then the
-// edges on fixed curves come first and stay there. That is always possible, because paths to a common point
-// never separate a disc into parts that are out of its reach, as long as the mesh has room beside
-// them: which splits make.
+// edges go to one vertex in the middle, which is on a fixed curve if there is one in the disc; then
+// the edges on fixed curves come first and stay there. That is always possible, because paths to a
+// common point never separate a disc into parts that are out of its reach, as long as the mesh has
+// room beside them: which splits make.
 class Layout_curves
 {
 public:
@@ -116,9 +116,8 @@ private:
       const std::vector<int>& path = m_layout.arc_halfedges[a];
       for (int i = 0; i < int(path.size()); ++i) {
         auto& unit = longest[path[i] / 2];
-        const double length = m_t_mesh.is_fixed(a)
-                                  ? (std::numeric_limits<double>::infinity)()
-                                  : m_t_mesh.length(a) / double(path.size());
+        const double length = m_t_mesh.is_fixed(a) ? (std::numeric_limits<double>::infinity)()
+                                                   : m_t_mesh.length(a) / double(path.size());
         unit = (std::max)(unit, {length, {a, i}});
       }
     }
@@ -224,9 +223,9 @@ private:
     std::vector<int> queue{from}, path;
     for (std::size_t i = 0; i < queue.size(); ++i)
       for (const int h : m_mesh.outgoing(queue[i]))
-        if (const int w = m_mesh.target(h);
-            m_reached_by[w] < 0 && (w == to || (is_inside(w) && m_owner[w] == v)) &&
-            (!is_fixed || m_mesh.is_fixed[h])) {
+        if (const int w = m_mesh.target(h); m_reached_by[w] < 0 &&
+                                            (w == to || (is_inside(w) && m_owner[w] == v)) &&
+                                            (!is_fixed || m_mesh.is_fixed[h])) {
           m_reached_by[w] = h;
           queue.push_back(w);
         }

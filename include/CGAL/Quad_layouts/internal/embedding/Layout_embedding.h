@@ -33,9 +33,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The layout vertices that are held at integer points: all irregular ones and corners of fixed curves,
-// and one of each
-// component that has none. `place` tells, per layout vertex, where on the mesh it is.
+// The layout vertices that are held at integer points: all irregular ones and corners of fixed
+// curves, and one of each component that has none. `place` tells, per layout vertex, where on the
+// mesh it is.
 inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vector<int>& place)
 {
   const int n = layout.number_of_vertices();

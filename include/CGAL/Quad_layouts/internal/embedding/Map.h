@@ -24,7 +24,8 @@ namespace internal {
 // A map of triangles to the plane, by charts: the unknowns are the coordinates of each vertex in a
 // chart of its own; `chart` of a corner leads from there to the chart of its face.
 //
-// Vertices on fixed curves move along one axis of their charts, the line that the curve is mapped to.
+// Vertices on fixed curves move along one axis of their charts, the line that the curve is mapped
+// to.
 struct Map
 {
   enum Freedom : char { FREE, ALONG_X, ALONG_Y };

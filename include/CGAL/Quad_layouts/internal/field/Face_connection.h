@@ -16,15 +16,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The geometry that fields on faces are computed with: the angles of the halfedges, the
-// transports across edges (the discrete Levi-Civita connection on the dual graph), areas and the
-// weights of dual edges, which those on the border do not have. All of it is looked up often, and costs arc
+// The geometry that fields on faces are computed with: the angles of the halfedges, the transports
+// across edges (the discrete Levi-Civita connection on the dual graph), areas and the weights of
+// dual edges, which those on the border do not have. All of it is looked up often, and costs arc
 // tangents and roots: hence the tables.
 class Face_connection
 {
 public:
-  explicit Face_connection(const Triangle_surface& surface)
-    : m_surface(&surface)
+  explicit Face_connection(const Triangle_surface& surface) : m_surface(&surface)
   {
     compute_angles();
     compute_areas();
@@ -61,7 +60,8 @@ public:
 
   // length over dual length of edge e, the latter being the part normal to e of the way from one
   // barycentre to the other: positive for triangles of any shape, and the cotangent weight for
-  // equilateral ones; bounded for the sake of the condition of systems of equations. 0 on the border
+  // equilateral ones; bounded for the sake of the condition of systems of equations. 0 on the
+  // border
   double weight(int e) const { return m_weight[e]; }
 
 private:

@@ -7,7 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SINGULARITY_SPLITTER_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SINGULARITY_SPLITTER_H
 
-#include <CGAL/Quad_layouts/internal/field/matching.h>
+#include <CGAL/Quad_layouts/internal/field/sectors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +36,10 @@ public:
   {
   }
 
-  // splits until no move helps, then lets the field around the moves relax
-  void split()
+  // splits until no move helps, then lets the field around the moves relax, and around vertices
+  // where jumps have been `changed` before
+  void split(std::vector<int> changed)
   {
-    std::vector<int> changed;
     for (bool moved = true; moved;) {
       moved = false;
       for (int v = 0; v < m_surface.number_of_vertices(); ++v)
@@ -66,7 +66,8 @@ private:
     int best = -1, best_gain = 0;
     double best_rotation = 0;
     m_surface.for_each_outgoing(v, [&](int h) {
-      if (m_surface.is_border(h) || is_between_fixed_crosses(h))
+      if (m_surface.is_border(h) || is_between_fixed_crosses(h) ||
+          would_close_a_sector(quarter > 0 ? m_surface.opposite(h) : h))
         return;
       const int gain = quarter * (m_index[v] - m_index[m_surface.target(h)]) - 1;
       const double turned = rotation(m_connection, m_angle, m_jump, h) + quarter * right_angle;
@@ -92,6 +93,14 @@ private:
     const int f = m_surface.face(h), g = m_surface.face(m_surface.opposite(h));
     return m_is_fixed[f] && m_is_fixed[g] &&
            !(m_surface.fixed_halfedge(f) >= 0 && m_surface.fixed_halfedge(g) >= 0);
+  }
+
+  // whether a sector that has h inside has no quadrant to spare
+  bool would_close_a_sector(int h) const
+  {
+    const int first = m_surface.is_fixed(h) ? -1 : sector_of(m_surface, h);
+    return first >= 0 && number_of_quadrants(m_connection, m_angle, m_jump, first) <=
+                             least_number_of_quadrants(sector_angle(m_connection, first));
   }
 
   // the free faces within four rings about v, in the order of a breadth-first search

@@ -76,11 +76,10 @@ inline int index(const Face_connection& connection, const std::vector<double>& a
 }
 
 // the indices of all vertices, 0 for isolated ones. The angle defects and the turning of the border
-// sum to 2 pi chi and rotations cancel in pairs, hence the indices sum to 4 chi, for any angles and antisymmetric
-// jumps.
+// sum to 2 pi chi and rotations cancel in pairs, hence the indices sum to 4 chi, for any angles and
+// antisymmetric jumps.
 inline std::vector<int> indices(const Face_connection& connection,
-                                const std::vector<double>& angles,
-                                const std::vector<int>& jumps)
+                                const std::vector<double>& angles, const std::vector<int>& jumps)
 {
   std::vector<int> result(connection.surface().number_of_vertices());
   for (int v = 0; v < int(result.size()); ++v)

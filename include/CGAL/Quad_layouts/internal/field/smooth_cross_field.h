@@ -16,6 +16,7 @@
 #include <CGAL/Quad_layouts/internal/field/curvature.h>
 #include <CGAL/Quad_layouts/internal/field/face_vectors.h>
 #include <CGAL/Quad_layouts/internal/field/matching.h>
+#include <CGAL/Quad_layouts/internal/field/sectors.h>
 
 #include <CGAL/assertions.h>
 
@@ -68,9 +69,10 @@ inline Cross_field given_cross_field(const std::shared_ptr<const Triangle_surfac
   angles.reserve(surface->number_of_faces());
   for (int f = 0; f < surface->number_of_faces(); ++f)
     angles.push_back(aligned_angle(
-      *surface, f,
-      projected_angle(*surface, f, directions[surface->origin(f)], "face_direction_map")));
-  const std::vector<int> jumps = principal_period_jumps(connection, angles);
+        *surface, f,
+        projected_angle(*surface, f, directions[surface->origin(f)], "face_direction_map")));
+  std::vector<int> jumps = principal_period_jumps(connection, angles);
+  open_sectors(connection, angles, jumps);
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 
@@ -85,8 +87,8 @@ inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
     if (h >= 0)
       result[f] = std::polar(1., 4 * surface.halfedge_angle(h));
     else if (!constraints.empty() && constraints[g] != Eigen::Vector3d::Zero())
-      result[f] = std::polar(1., 4 * projected_angle(surface, f, constraints[g],
-                                                     "face_constraint_map"));
+      result[f] = std::polar(
+          1., 4 * projected_angle(surface, f, constraints[g], "face_constraint_map"));
   }
   return result;
 }
@@ -169,7 +171,8 @@ inline Cross_field smooth_cross_field(const std::shared_ptr<const Triangle_surfa
     angles = angles_of_crosses(*surface, fixed);
     jumps = round_jumps(connection, is_fixed, options, monitor, angles);
   }
-  Singularity_splitter(connection, angles, jumps, is_fixed).split();
+  const std::vector<int> opened = open_sectors(connection, angles, jumps);
+  Singularity_splitter(connection, angles, jumps, is_fixed).split(opened);
   return make_cross_field(surface, connection, std::move(angles), jumps);
 }
 

@@ -30,8 +30,8 @@ inline void collect_chords(Quad_layout& layout)
   layout.edge_chord = std::move(chords.class_of);
 }
 
-// Marks the fixed curves, and the chains of edges that leave irregular vertices, and those where fixed
-// curves do not go straight on, and go straight on through others, up to the border.
+// Marks the fixed curves, and the chains of edges that leave irregular vertices, and those where
+// fixed curves do not go straight on, and go straight on through others, up to the border.
 inline void mark_separatrices(Quad_layout& layout)
 {
   const int n = layout.number_of_vertices();

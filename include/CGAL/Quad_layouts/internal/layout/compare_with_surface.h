@@ -90,8 +90,9 @@ inline std::vector<int> euler_characteristics(const Glued_squares& squares,
   for (int s = 0; s < squares.number_of_sides(); ++s) {
     const bool is_new_vertex = !counted[squares.vertex(s)];
     counted[squares.vertex(s)] = 1;
-    result[component[squares.patch(s / 4)]] +=
-      int(is_new_vertex) - int(squares.opposite(s) < 0 || s < squares.opposite(s)) + int(s % 4 == 0);
+    result[component[squares.patch(s / 4)]] += int(is_new_vertex) + int(s % 4 == 0) -
+                                               int(squares.opposite(s) < 0 ||
+                                                   s < squares.opposite(s));
   }
   return result;
 }
@@ -107,7 +108,8 @@ inline std::string difference_to_surface(const Fibres& fibres, const Glued_squar
   const T_mesh& t = fibres.grid().t_mesh();
   const std::vector<int> component = component_of_patches(t);
   return euler_characteristics(t, component) == euler_characteristics(squares, component)
-       ? "" : "the Euler characteristic changes";
+             ? ""
+             : "the Euler characteristic changes";
 }
 
 } // namespace internal

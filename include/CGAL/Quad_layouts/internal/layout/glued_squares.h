@@ -26,8 +26,7 @@ namespace internal {
 class Glued_squares
 {
 public:
-  explicit Glued_squares(const Arc_grid& grid)
-    : m_grid(&grid)
+  explicit Glued_squares(const Arc_grid& grid) : m_grid(&grid)
   {
     number_squares();
     glue_inside_patches();
@@ -52,8 +51,8 @@ public:
   int patch(int square) const { return m_patch[square]; }
   // the half-segment that a side lies on, -1 for sides inside a patch
   int half_segment(int side) const { return m_half_segment[side]; }
-  // the side of a square that a half-segment falls onto, also across flat patches; -1 if that is the
-  // outside of the border. No half-segment may be in a flat ring.
+  // the side of a square that a half-segment falls onto, also across flat patches; -1 if that is
+  // the outside of the border. No half-segment may be in a flat ring.
   int side_on(int half_segment) const { return m_side[m_grid->facing(half_segment ^ 1)]; }
 
 private:
@@ -141,12 +140,12 @@ private:
   }
 
   const Arc_grid* m_grid;
-  std::vector<int> m_first_square;                      // per patch
-  std::vector<int> m_patch;                             // per square
-  std::vector<int> m_opposite, m_vertex, m_half_segment;  // per side
-  std::vector<int> m_side;                              // per half-segment, -1 in flat patches
-  std::vector<int> m_squares_at;                        // per vertex
-  std::vector<char> m_is_on_border;                     // per vertex
+  std::vector<int> m_first_square;                       // per patch
+  std::vector<int> m_patch;                              // per square
+  std::vector<int> m_opposite, m_vertex, m_half_segment; // per side
+  std::vector<int> m_side;                               // per half-segment, -1 in flat patches
+  std::vector<int> m_squares_at;                         // per vertex
+  std::vector<char> m_is_on_border;                      // per vertex
 };
 
 } // namespace internal

@@ -28,8 +28,8 @@ namespace internal {
 // The singularities and seeds that fall onto one vertex of the quotient.
 struct Merged_cluster
 {
-  std::vector<int> nodes;       // ascending
-  int index = 0;                // sum of the nodes' indices, in quarters
+  std::vector<int> nodes; // ascending
+  int index = 0;          // sum of the nodes' indices, in quarters
   // arcs of length 0 that join all nodes; if positive they separate some, unless other zero
   // connections join the same nodes
   std::vector<int> tree_arcs;
@@ -164,8 +164,9 @@ inline void find_unfilled_loops(const Fibres& fibres, Quotient_report& report)
       add_defect(report, "the whole component of node " + node + " has length 0",
                  {arcs_of(fibres, fibre.connections), true});
     for (const std::vector<int>& loop : Fibre_loops(fibres, f).unfilled_loops())
-      add_defect(report, "a loop of length 0 at node " + node
-                 + " is not filled by patches of size 0", cut_of(fibres, loop));
+      add_defect(report,
+                 "a loop of length 0 at node " + node + " is not filled by patches of size 0",
+                 cut_of(fibres, loop));
   }
 }
 
@@ -200,8 +201,8 @@ inline std::vector<int> fixed_connections(const Fibres& fibres, int fibre)
   return result;
 }
 
-// Finds places where fixed curves fall together, because one fibre has several pieces of them, and closed
-// ones that vanish.
+// Finds places where fixed curves fall together, because one fibre has several pieces of them, and
+// closed ones that vanish.
 inline void find_defects_of_fixed_curves(const Fibres& fibres, Quotient_report& report)
 {
   for (int f = 0; f < fibres.size(); ++f) {
@@ -215,9 +216,9 @@ inline void find_defects_of_fixed_curves(const Fibres& fibres, Quotient_report& 
       add_defect(report, "a closed fixed curve at node " + node + " has length 0",
                  {arcs_of(fibres, connections), false});
     else if (pieces.size() > 1)
-      add_defect(report, "fixed curves fall together at node " + node,
-                 {arcs_of(fibres, Fibre_loops(fibres, f).path(pieces.front(), pieces.back())),
-                  false});
+      add_defect(
+          report, "fixed curves fall together at node " + node,
+          {arcs_of(fibres, Fibre_loops(fibres, f).path(pieces.front(), pieces.back())), false});
   }
 }
 
@@ -248,8 +249,10 @@ inline void find_flat_rings(const Fibres& fibres, Quotient_report& report)
     for (int p : patches)
       for (int a : fibres.short_side(p))
         cut.push_back(a);
-    add_defect(report, "patches without extent form a " + shape + " through patch "
-               + std::to_string(patches.front()), {sorted_unique(std::move(cut)), false});
+    add_defect(report,
+               "patches without extent form a " + shape + " through patch " +
+                   std::to_string(patches.front()),
+               {sorted_unique(std::move(cut)), false});
   };
   for (int s = 0; s < grid.number_of_half_segments(); ++s)
     if (grid.across(s) < 0) {

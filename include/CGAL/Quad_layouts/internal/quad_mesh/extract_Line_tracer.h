@@ -81,7 +81,8 @@ public:
     for (int h = 3 * place.face; h < 3 * place.face + 3; ++h)
       if (m_map.coordinates(h) == place.position) {
         const int c = s.is_on_border(s.source(h)) ? s.halfedge(s.source(h)) : -1;
-        return c < 0 ? Map_heading() : Map_heading{Surface::face(c), m_map.coordinates(c), along(c)};
+        return c < 0 ? Map_heading()
+                     : Map_heading{Surface::face(c), m_map.coordinates(c), along(c)};
       }
     for (int h = 3 * place.face; h < 3 * place.face + 3; ++h)
       if (s.is_border(h) && side(h, place.position) == ON_ORIENTED_BOUNDARY)

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Sets where all layout halfedges around the source of h begin, `heading` being that of h, and tells
-// `reached` each of them. Returns false if the map does not turn around the place once.
+// Sets where all layout halfedges around the source of h begin, `heading` being that of h, and
+// tells `reached` each of them. Returns false if the map does not turn around the place once.
 template <class Reached>
 bool set_starts_inside(const Line_tracer& lines, const Quad_layout& layout, int h,
                        Map_heading heading, std::vector<Map_heading>& start, const Reached& reached)

@@ -36,26 +36,43 @@ struct Vertex_valences
   std::vector<char> on_border;
 };
 
-// The cells that the separatrices and the border cut a quad mesh into.
+// The cells that the separatrices and the fixed edges cut a quad mesh into.
 struct Base_complex
 {
-  std::vector<char> on_separatrix; // per halfedge: border or part of a separatrix
+  std::vector<char> on_separatrix; // per halfedge: fixed or part of a separatrix
   std::vector<int> patch;          // per face
   int number_of_patches = 0;
 };
 
-// marks the edges from the halfedge h straight on, up to an irregular vertex or the border
-inline void mark_separatrix(const Polygons& mesh, const Vertex_valences& vertices, int h,
-                            std::vector<char>& marked)
+// returns per vertex whether no separatrix begins there: the vertex is regular, and feature curves
+// go straight on if there are any
+inline std::vector<char> ordinary_vertices(const Polygons& mesh, const Vertex_valences& vertices)
+{
+  std::vector<char> result(mesh.number_of_vertices());
+  for (int v = 0; v < mesh.number_of_vertices(); ++v)
+    result[v] = vertices.is_regular(v);
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const int v = mesh.target(h);
+    if (vertices.is_regular(v) && !vertices.on_border[v] &&
+        mesh.is_fixed(h) != mesh.is_fixed(mesh.straight_on(h)))
+      result[v] = 0;
+  }
+  return result;
+}
+
+// marks the edges from the halfedge h straight on, up to the border or a vertex that is not
+// ordinary
+inline void mark_separatrix(const Polygons& mesh, const Vertex_valences& vertices,
+                            const std::vector<char>& is_ordinary, int h, std::vector<char>& marked)
 {
   while (!marked[h]) {
     marked[h] = 1;
     if (!mesh.is_border(h))
       marked[mesh.opposite[h]] = 1;
     const int v = mesh.target(h);
-    if (vertices.on_border[v] || !vertices.is_regular(v))
+    if (vertices.on_border[v] || !is_ordinary[v])
       return;
-    h = mesh.next(mesh.opposite[mesh.next(h)]);
+    h = mesh.straight_on(h);
   }
 }
 
@@ -87,17 +104,18 @@ inline int number_components(const Polygons& mesh, const std::vector<char>& cut,
   return n;
 }
 
-// cuts a quad mesh along its border and all separatrices; a component without irregular vertex is
-// one patch. All faces must be quads.
+// cuts a quad mesh along its fixed edges and all separatrices; a component without any is one
+// patch. All faces must be quads.
 inline Base_complex base_complex(const Polygons& mesh, const Vertex_valences& vertices)
 {
+  const std::vector<char> is_ordinary = ordinary_vertices(mesh, vertices);
   Base_complex result;
   result.on_separatrix.assign(mesh.number_of_halfedges(), 0);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-    if (!mesh.is_border(h) && !vertices.is_regular(mesh.source[h]))
-      mark_separatrix(mesh, vertices, h, result.on_separatrix);
+    if (!mesh.is_fixed(h) && !is_ordinary[mesh.source[h]])
+      mark_separatrix(mesh, vertices, is_ordinary, h, result.on_separatrix);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-    if (mesh.is_border(h))
+    if (mesh.is_fixed(h))
       result.on_separatrix[h] = 1;
   result.number_of_patches = number_components(mesh, result.on_separatrix, result.patch);
   return result;

@@ -50,6 +50,8 @@ struct Polygons
   }
   int target(int h) const { return source[next(h)]; }
   bool is_border(int h) const { return opposite[h] < 0; }
+  // among quads, at a target of valence 4 that is not on the border
+  int straight_on(int h) const { return next(opposite[next(h)]); }
   // says if the edge of h is on the border or on a feature curve
   bool is_fixed(int h) const { return is_border(h) || (!on_feature.empty() && on_feature[h]); }
 

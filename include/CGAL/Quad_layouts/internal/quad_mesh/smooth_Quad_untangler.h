@@ -61,13 +61,15 @@ public:
 
   // Searches for better places of single vertices, from where they are and from the relaxed state.
   // This also helps where quads are not small compared to features of the surface, so that neither
-  // its normals at their corners nor derivatives tell the way. Improves poor quads, too. Begins anew,
-  // which is with better surroundings, if bad quads remain.
+  // its normals at their corners nor derivatives tell the way. Improves poor quads, too. Begins
+  // anew, which is with better surroundings, as long as this makes fewer quads bad.
   void repair()
   {
-    constexpr int attempts = 5;
-    for (int i = 0; i < attempts && (i == 0 || badness(all_quads(), 0).bad_quads > 0); ++i)
+    int before;
+    do {
+      before = number_of_bad_quads();
       repair_once();
+    } while (number_of_bad_quads() > 0 && number_of_bad_quads() < before);
   }
 
 private:
@@ -123,6 +125,8 @@ private:
     }
     return result;
   }
+
+  int number_of_bad_quads() const { return badness(all_quads(), 0).bad_quads; }
 
   std::vector<int> all_quads() const
   {
@@ -192,18 +196,24 @@ private:
     suspects.swap(treated);
   }
 
-  // Searches from random places around, for what nothing else helps.
+  // Searches from random places around, for what nothing else helps, until many rounds in a row do
+  // not help either.
   void shake(std::vector<int>& suspects)
   {
-    constexpr int rounds = 100;
+    constexpr int patience = 12;
     std::minstd_rand random; // always the same numbers
     const auto attempt = [&](const std::vector<int>& region, int) {
       for (const int v : region)
         displace(v, random);
       search(region);
     };
-    for (int i = 0; i < rounds; ++i)
+    int bad_quads = badness(suspects, 0).bad_quads;
+    for (int i = 0, failures = 0; bad_quads > 0 && failures < patience; ++i) {
       treat_groups(suspects, 0, 1 + i % 4, attempt);
+      const int remaining = badness(suspects, 0).bad_quads;
+      failures = remaining < bad_quads ? 0 : failures + 1;
+      bad_quads = remaining;
+    }
   }
 
   // moves v along the surface by at most half the length of its edges

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A quad mesh whose vertices have places on a surface; those on its border and feature curves, places
-// on those of the surface.
+// A quad mesh whose vertices have places on a surface; those on its border and feature curves,
+// places on those of the surface.
 class Quads_on_surface
 {
 public:
@@ -34,8 +34,7 @@ public:
   // these do not go straight on.
   Quads_on_surface(Polygons& mesh, const Surface_walk& walk)
     : m_mesh(mesh), m_walk(walk), m_corners(mesh.number_of_vertices()),
-      m_normals(mesh.number_of_vertices()),
-      m_on_curve(mesh.number_of_vertices())
+      m_normals(mesh.number_of_vertices()), m_on_curve(mesh.number_of_vertices())
   {
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
       m_corners[mesh.source[h]].push_back(h);

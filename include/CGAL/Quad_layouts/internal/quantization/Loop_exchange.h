@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Improves a sum of dual loops by ruin and recreate (Schrimpf et al. 2000): a few loops that have to
-// do with each other are taken away, and the rows that this opens are satisfied by cheapest loops
-// again, for prices that vary at random.
+// Improves a sum of dual loops by ruin and recreate (Schrimpf et al. 2000): a few loops that have
+// to do with each other are taken away, and the rows that this opens are satisfied by cheapest
+// loops again, for prices that vary at random.
 class Loop_exchange
 {
 public:

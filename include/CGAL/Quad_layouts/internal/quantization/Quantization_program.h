@@ -145,8 +145,8 @@ inline bool is_kept(const T_mesh& t_mesh, const Run& run)
 }
 
 // says if visit k of a meeting is that of the longer run. In the interior it is the one that was it
-// in tracing, as the T-mesh has noted: also if they are equally long, or sums of lengths are rounded
-// in another way.
+// in tracing, as the T-mesh has noted: also if they are equally long, or sums of lengths are
+// rounded in another way.
 inline bool is_longer(const Run_meeting& meeting, int k, const Runs& runs)
 {
   const auto key = [&](const Run_visit& v) {

@@ -17,6 +17,7 @@
 #include <CGAL/Quad_layouts/internal/quantization/lazy_index_rows.h>
 #include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
 #include <CGAL/Quad_layouts/internal/quantization/strengthen_relaxation.h>
+#include <CGAL/Quad_layouts/internal/tracing/Squeezed_singularities.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -377,8 +378,10 @@ private:
     result.rounds = m_incumbent.rounds();
     const double lost = m_program.penalty * m_program.violated_rows;
     result.bound = m_bound + lost;
-    if (m_incumbent.values().empty())
+    if (m_incumbent.values().empty()) {
+      result.reason = Squeezed_singularities(m_t_mesh).first_place();
       return result;
+    }
     result.arc_length = m_program.arc_lengths(m_incumbent.values());
     const Quantization_check check = check_quantization(m_t_mesh, m_paper, result.arc_length);
     CGAL_postcondition(check.consistent && check.grants_wishes);

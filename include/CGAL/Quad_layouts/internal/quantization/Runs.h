@@ -38,8 +38,8 @@ struct Run_meeting
   bool on_fixed_curve; // that of the first run
 };
 
-// The runs of a T-mesh: its traces, with their numbers; then those on fixed curves once more, the other
-// way, because they lead from one singularity or seed to the next.
+// The runs of a T-mesh: its traces, with their numbers; then those on fixed curves once more, the
+// other way, because they lead from one singularity or seed to the next.
 class Runs
 {
 public:

@@ -30,7 +30,8 @@ struct Close_pair
   std::vector<int> path;
 };
 
-// Shortest paths of arcs from one or several nodes, up to a given length. The arrays are kept between searches.
+// Shortest paths of arcs from one or several nodes, up to a given length. The arrays are kept
+// between searches.
 class Arc_distances
 {
 public:

@@ -11,7 +11,6 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 #include <CGAL/Quad_layouts/internal/quantization/point_of_crossing.h>
-#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,89 +31,59 @@ class Surface_symmetry
 public:
   // takes the images of the vertices of the user's mesh; throws if a face has no image
   Surface_symmetry(const Triangle_surface& surface, const std::vector<int>& vertex_image)
-    : m_surface(surface), m_image(vertex_image)
+    : m_surface(surface), m_original(surface.original()), m_image(vertex_image)
   {
-    for (int v = int(m_image.size()); v < surface.number_of_vertices(); ++v)
-      m_image.push_back(find_image_of_center(v));
-    for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    for (int h = 0; h < m_original.number_of_halfedges(); ++h)
       m_corner_image.push_back(find_corner_image(h));
+    find_images_of_added_vertices();
   }
 
+  // -1 for vertices without an image: where edges are equally long, faces need not be divided alike
   int vertex_image(int v) const { return m_image[v]; }
-  // the halfedge with the image of the source of `h` in the image of the face of `h`
+  // of halfedges of the user's mesh: the one with the image of the source of `h` in the image of
+  // the face of `h`
   int corner_image(int h) const { return m_corner_image[h]; }
-  // says if the image of the face of `h` runs the other way
-  bool turns_over(int h) const
+  // says if the image of a face of the user's mesh runs the other way
+  bool turns_over(int f) const
   {
-    return m_surface.target(m_corner_image[h]) != m_image[m_surface.target(h)];
-  }
-
-  // the edge between the images of the source and the target of `h`
-  int edge_image(int h) const
-  {
-    const int g = m_corner_image[h];
-    return m_surface.edge(turns_over(h) ? Triangle_surface::prev(g) : g);
-  }
-
-  // the outgoing halfedge of the image of vertex `v` that corresponds to `halfedge(v)`; at the border
-  // the most clockwise one, even if that is the image of the most counter-clockwise one
-  int image_of_first_halfedge(int v) const
-  {
-    if (m_surface.is_on_border(v))
-      return m_surface.halfedge(m_image[v]);
-    const int h = m_surface.halfedge(v), g = m_corner_image[h];
-    return turns_over(h) ? m_surface.turn_left(g) : g;
+    return m_original.target(m_corner_image[3 * f]) != m_image[m_original.target(3 * f)];
   }
 
 private:
-  std::vector<int> neighbours_in_order(int v) const
-  {
-    std::vector<int> result;
-    m_surface.for_each_outgoing(v, [&](int h) { result.push_back(m_surface.target(h)); });
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  // the image of a vertex in the middle of a face of the user's mesh, those of its corners being known
-  int find_image_of_center(int v) const
-  {
-    std::vector<int> corners;
-    for (const int corner : neighbours_in_order(v))
-      corners.push_back(m_image[corner]);
-    std::sort(corners.begin(), corners.end());
-    int result = -1;
-    m_surface.for_each_outgoing(corners.front(), [&](int h) {
-      const int center = m_surface.target(h);
-      if (center >= number_of_original_vertices(m_surface) &&
-          neighbours_in_order(center) == corners)
-        result = center;
-    });
-    if (result < 0)
-      throw_without_image(m_surface.origin(m_surface.halfedge(v) / 3));
-    return result;
-  }
-
   int find_corner_image(int h) const
   {
-    const int u = m_image[m_surface.source(h)], v = m_image[m_surface.target(h)];
-    const int w = m_image[m_surface.source(m_surface.prev(h))];
+    const int u = m_image[m_original.source(h)], v = m_image[m_original.target(h)];
+    const int w = m_image[m_original.source(m_original.prev(h))];
     int result = -1;
-    m_surface.for_each_outgoing(u, [&](int g) {
-      const int next = m_surface.target(g), last = m_surface.source(m_surface.prev(g));
+    m_original.for_each_outgoing(u, [&](int g) {
+      const int next = m_original.target(g), last = m_original.source(m_original.prev(g));
       if (std::minmax(next, last) == std::minmax(v, w))
         result = g;
     });
     if (result < 0)
-      throw_without_image(m_surface.origin(h / 3));
+      throw Invalid_parameter("vertex_symmetry: face " + std::to_string(h / 3) + " has no image");
     return result;
   }
 
-  [[noreturn]] static void throw_without_image(int face)
+  // Between images of vertices is the image of the vertex between them.
+  void find_images_of_added_vertices()
   {
-    throw Invalid_parameter("vertex_symmetry: face " + std::to_string(face) + " has no image");
+    const int first = m_original.number_of_vertices();
+    std::map<std::vector<int>, int> between;
+    for (int v = first; v < m_surface.number_of_vertices(); ++v)
+      between[m_surface.parents(v)] = v;
+    for (int v = first; v < m_surface.number_of_vertices(); ++v) {
+      std::vector<int> images;
+      for (const int parent : m_surface.parents(v))
+        images.push_back(m_image[parent]);
+      std::sort(images.begin(), images.end());
+      const auto found = between.find(images);
+      m_image.push_back(found == between.end() ? -1 : found->second);
+    }
   }
 
   const Triangle_surface& m_surface;
+  const Triangle_surface& m_original;
   std::vector<int> m_image; // per vertex
   std::vector<int> m_corner_image;
 };
@@ -207,16 +176,38 @@ private:
     return 0;
   }
 
-  // The traces around a vertex correspond in their order, which is cyclic away from the border, such
-  // that their angles differ as little as possible.
+  // An outgoing halfedge of a vertex and the one that it is mapped to, {-1, -1} if there is none;
+  // at the border, from where angles are counted, the most clockwise ones.
+  std::pair<int, int> corresponding_halfedges(int vertex) const
+  {
+    const T_mesh::Surface& surface = m_t_mesh.surface();
+    const int image = m_symmetry.vertex_image(vertex);
+    std::pair<int, int> result(-1, -1);
+    if (image < 0)
+      return result;
+    if (surface.is_on_border(vertex))
+      return {surface.halfedge(vertex), surface.halfedge(image)};
+    surface.for_each_outgoing(vertex, [&](int h) {
+      surface.for_each_outgoing(image, [&](int g) {
+        if (result.first < 0 && surface.target(g) == m_symmetry.vertex_image(surface.target(h)))
+          result = {h, g};
+      });
+    });
+    return result;
+  }
+
+  // The traces around a vertex correspond in their order, which is cyclic away from the border,
+  // such that their angles differ as little as possible.
   void match_traces(int vertex)
   {
-    const int first = m_t_mesh.surface().halfedge(vertex);
+    const auto [first, image] = corresponding_halfedges(vertex);
+    if (first < 0)
+      return;
     const std::vector<Start> here = starts(first);
-    std::vector<Start> there = starts(m_symmetry.image_of_first_halfedge(vertex));
+    std::vector<Start> there = starts(image);
     if (here.size() != there.size())
       return;
-    if (m_symmetry.turns_over(first)) {
+    if (m_symmetry.turns_over(m_t_mesh.surface().origin(first / 3))) {
       std::reverse(there.begin(), there.end());
       for (Start& start : there)
         start.angle = -start.angle;
@@ -236,28 +227,26 @@ private:
     }
   }
 
-  // the halfedge of the surface that a fixed run begins with, in any direction
-  int first_halfedge(int run) const
+  // the ends of the edge of the surface that a fixed run begins with
+  std::pair<int, int> first_edge(int run) const
   {
+    const T_mesh::Surface& surface = m_t_mesh.surface();
     const auto& pieces = m_t_mesh.arc_pieces[m_runs[run].arcs.front()];
     const int start = m_t_mesh.surface_vertex(m_runs[run].start);
-    const int h = pieces.front().halfedge;
-    return m_t_mesh.surface().source(h) == start ? h : pieces.back().halfedge;
+    const int h = pieces.front().halfedge, last = pieces.back().halfedge;
+    return {start, surface.source(h) == start ? surface.target(h) : surface.source(last)};
   }
 
   // Fixed runs correspond that begin with corresponding edges.
   void match_fixed_runs()
   {
-    using Key = std::pair<int, int>; // vertex, edge
-    const T_mesh::Surface& surface = m_t_mesh.surface();
-    std::map<Key, int> beginning;
-    const auto start = [&](int run) { return m_t_mesh.surface_vertex(m_runs[run].start); };
+    std::map<std::pair<int, int>, int> beginning;
     for (int r = 0; r < m_runs.size(); ++r)
       if (is_fixed(r))
-        beginning[{start(r), surface.edge(first_halfedge(r))}] = r;
-    for (const auto& [key, run] : beginning) {
+        beginning[first_edge(r)] = r;
+    for (const auto& [edge, run] : beginning) {
       const auto image = beginning.find(
-          {m_symmetry.vertex_image(key.first), m_symmetry.edge_image(first_halfedge(run))});
+          {m_symmetry.vertex_image(edge.first), m_symmetry.vertex_image(edge.second)});
       if (image != beginning.end())
         m_image[run] = image->second;
     }
@@ -287,8 +276,8 @@ private:
     return std::abs(lengths[arcs] - m_runs[m_image[run]].lengths[arcs_of_image]) / lengths.back();
   }
 
-  // returns the number of arcs of the image of `run` before it meets the image of `other` at the place
-  // that corresponds to a meeting of both, -1 if there is none
+  // returns the number of arcs of the image of `run` before it meets the image of `other` at the
+  // place that corresponds to a meeting of both, -1 if there is none
   int corresponding(int run, int other, const Meeting& meeting) const
   {
     const auto candidates = m_meetings[m_image[run]].find(m_image[other]);

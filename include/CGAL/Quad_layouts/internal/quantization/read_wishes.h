@@ -11,7 +11,6 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_wishes.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
-#include <CGAL/Quad_layouts/internal/surface/split_fixed_faces.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
 #include <algorithm>
@@ -78,7 +77,7 @@ inline std::vector<int> read_symmetry(const T_mesh&, internal_np::Param_not_foun
 template <class Images>
 std::vector<int> read_symmetry(const T_mesh& t_mesh, const Images& images)
 {
-  const int n = number_of_original_vertices(t_mesh.surface());
+  const int n = t_mesh.surface().original().number_of_vertices();
   std::vector<int> result;
   for (const auto& image : images)
     result.push_back(int(image));

@@ -22,9 +22,10 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Looks for violated {0, 1/2}-cuts (Caprara and Fischetti 1996): where half a sum of rows is rounded
-// down, nothing is lost for non-negative integers. Sums of rows with odd bound and hardly any slack
-// and odd coefficients are found by elimination modulo 2, as in Koster, Zymolka and Kutschka (2009).
+// Looks for violated {0, 1/2}-cuts (Caprara and Fischetti 1996): where half a sum of rows is
+// rounded down, nothing is lost for non-negative integers. Sums of rows with odd bound and hardly
+// any slack and odd coefficients are found by elimination modulo 2, as in Koster, Zymolka and
+// Kutschka (2009).
 class Zero_half_separation
 {
 public:
@@ -153,8 +154,7 @@ private:
     const auto key = [&](int k) {
       return std::make_pair(combinations[k].slack, combinations[k].odd.size());
     };
-    return *std::min_element(odd.begin(), odd.end(),
-                             [&](int a, int b) { return key(a) < key(b); });
+    return *std::min_element(odd.begin(), odd.end(), [&](int a, int b) { return key(a) < key(b); });
   }
 
   // keeps the cut of a combination if x violates it

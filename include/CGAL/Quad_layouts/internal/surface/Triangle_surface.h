@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,10 +29,11 @@ using Point2 = Eigen::Vector2d;
 
 // The working copy of the input: an oriented, manifold triangle mesh in index arrays.
 //
-// Vertex v and face f are the v-th vertex and f-th face of the user's mesh, or a part of that face.
-// Parts that are added to those of the mesh come behind them. Face f owns the halfedges 3f, 3f+1, 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its
-// left. A halfedge also stands for the corner of its face at its source. Border halfedges do not
-// exist: the opposite of a halfedge on the border is -1.
+// Vertex v and face f are the v-th vertex and f-th face of the user's mesh, or the first part of
+// that face. What is added when faces are divided comes behind. Face f owns the halfedges 3f, 3f+1,
+// 3f+2; halfedge h runs from `source(h)` to `target(h)` with `face(h)` on its left. A halfedge also
+// stands for the corner of its face at its source. Border halfedges do not exist: the opposite of a
+// halfedge on the border is -1.
 //
 // *Fixed* edges form the curves that the field is aligned to, that are lines of the T-mesh and of
 // the layout, and on which vertices of the quad mesh stay. Edges on the border are fixed.
@@ -44,15 +46,29 @@ public:
   Triangle_surface() = default;
 
   // takes faces whose directed edges are unique (checked) and whose vertices are manifold (not
-  // checked), and the faces of the user's mesh that they are parts of; none if these are the same
-  Triangle_surface(std::vector<Point> points, const std::vector<std::array<int, 3>>& triangles,
-                   std::vector<int> origins = {})
-    : m_points(std::move(points)), m_origin(std::move(origins))
+  // checked)
+  Triangle_surface(std::vector<Point> points, const std::vector<std::array<int, 3>>& triangles)
+    : m_points(std::move(points))
   {
     m_source.reserve(3 * triangles.size());
     for (const auto& t : triangles)
       m_source.insert(m_source.end(), t.begin(), t.end());
     connect();
+  }
+
+  // takes the parts that the faces of `whole` are divided into: per part the face, and per added
+  // vertex those, in order, that it lies in the middle of. Edges have to be fixed again.
+  Triangle_surface(const Triangle_surface& whole, std::vector<Point> points,
+                   const std::vector<std::array<int, 3>>& parts, const std::vector<int>& divided,
+                   const std::vector<std::vector<int>>& parents)
+    : Triangle_surface(std::move(points), parts)
+  {
+    m_original = whole.m_original ? whole.m_original
+                                  : std::make_shared<const Triangle_surface>(whole);
+    for (const int f : divided)
+      m_origin.push_back(whole.origin(f));
+    m_parents = whole.m_parents;
+    m_parents.insert(m_parents.end(), parents.begin(), parents.end());
   }
 
   int number_of_vertices() const { return int(m_points.size()); }
@@ -80,8 +96,15 @@ public:
   int edge(int h) const { return m_edge[h]; }
   int halfedge_of_edge(int e) const { return m_edge_halfedge[e]; }
 
+  // the surface before any faces were divided, with the elements of the user's mesh
+  const Triangle_surface& original() const { return m_original ? *m_original : *this; }
   // the face of the user's mesh that f is, or is a part of
-  int origin(int f) const { return m_origin.empty() ? f : m_origin[f]; }
+  int origin(int f) const { return m_original ? m_origin[f] : f; }
+  // the vertices, in order, that v, which was added, lies in the middle of
+  const std::vector<int>& parents(int v) const
+  {
+    return m_parents[v - original().number_of_vertices()];
+  }
 
   bool is_border(int h) const { return m_opposite[h] < 0; }
   bool is_on_border(int v) const { return halfedge(v) >= 0 && is_border(halfedge(v)); }
@@ -234,7 +257,9 @@ private:
   }
 
   std::vector<Point> m_points;
-  std::vector<int> m_origin; // per face, empty if each is its own
+  std::shared_ptr<const Triangle_surface> m_original; // none if no face was divided
+  std::vector<int> m_origin;                          // per face
+  std::vector<std::vector<int>> m_parents;            // per added vertex
   std::vector<int> m_source, m_opposite, m_edge, m_vertex_halfedge, m_edge_halfedge;
   std::vector<char> m_is_fixed; // per edge
 };

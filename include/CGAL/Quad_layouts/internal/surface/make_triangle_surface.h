@@ -49,7 +49,8 @@ inline void check_points(const std::vector<Point>& points)
                            " has a coordinate that is not a finite number");
 }
 
-// Squares of areas, the highest powers that occur, are then far from the limits of double precision.
+// Squares of areas, the highest powers that occur, are then far from the limits of double
+// precision.
 inline void check_scale(const Triangle_surface& surface)
 {
   constexpr double most = 1e60, least = 1e-60;
@@ -143,7 +144,8 @@ inline void check_vertices(const Triangle_surface& surface)
   }
 }
 
-// returns the surface of the given faces, or throws if it is not a manifold of proper triangles; in time O(n log n)
+// returns the surface of the given faces, or throws if it is not a manifold of proper triangles; in
+// time O(n log n)
 inline Triangle_surface make_checked_surface(std::vector<Point> points,
                                              const std::vector<Triangle>& triangles)
 {

@@ -27,9 +27,9 @@ namespace internal {
 // *variable*. A *state* is a variable and one of the two ways to cross it: 2v and 2v + 1.
 // `successors(s)` are the states in which a line can cross next. The consistent quantizations are
 // the sums of closed walks (*dual loops*), because units on opposite sides of each patch can be
-// paired. Lines from border to border count as closed: the last state, `outside()`, follows all that
-// leave the surface, and is followed by all that enter it. Hence an arc on no closed walk has length 0 in every consistent quantization; such arcs
-// have no variable.
+// paired. Lines from border to border count as closed: the last state, `outside()`, follows all
+// that leave the surface, and is followed by all that enter it. Hence an arc on no closed walk has
+// length 0 in every consistent quantization; such arcs have no variable.
 class Dual_graph
 {
 public:

@@ -19,9 +19,9 @@ namespace internal {
 
 // For every halfedge h the direction of its outward normal in the cross of its face, in eighths of
 // a turn. It is odd, 2l+1, if the normal lies between the directions l and l+1: lines of these
-// directions leave the face through h, those of the directions l+2 and l+3 enter. On fixed edges, to
-// which the field is aligned, it is even: with label 2d, lines of direction d leave through h, those
-// of direction d+2 enter, the others run along h and do not cross it.
+// directions leave the face through h, those of the directions l+2 and l+3 enter. On fixed edges,
+// to which the field is aligned, it is even: with label 2d, lines of direction d leave through h,
+// those of direction d+2 enter, the others run along h and do not cross it.
 //
 // The increment at a corner is the label of the corner's halfedge minus that of the halfedge before
 // it. A face is valid if its increments are at most 4 and sum to 8, that is, if its normals turn
@@ -68,10 +68,7 @@ public:
   void set(int h, int quadrant) { m_label[h] = static_cast<signed char>(2 * (quadrant & 3) + 1); }
 
   // direction d of the face of h is direction d + turn(h) of the face on the other side
-  int turn(int h) const
-  {
-    return ((m_label[m_surface->opposite(h)] - m_label[h] + 4) >> 1) & 3;
-  }
+  int turn(int h) const { return ((m_label[m_surface->opposite(h)] - m_label[h] + 4) >> 1) & 3; }
 
   bool leaves(int h, int direction) const { return ((2 * direction - m_label[h] + 1) & 7) < 3; }
   bool runs_along(int h, int direction) const
@@ -101,9 +98,8 @@ public:
   int valence(int v) const
   {
     int sum = 0;
-    m_surface->for_each_outgoing(v, [&](int h) {
-      sum += number_of_starts(h) + m_surface->is_fixed(h);
-    });
+    m_surface->for_each_outgoing(
+        v, [&](int h) { sum += number_of_starts(h) + m_surface->is_fixed(h); });
     return sum + m_surface->is_on_border(v);
   }
 
@@ -112,8 +108,8 @@ public:
   // 1 if a side is fixed.
   int index(int v) const { return (m_surface->is_on_border(v) ? 3 : 4) - valence(v); }
 
-  // Says if fixed edges, if there are any at v, go straight on there: there are two, each line between
-  // them has one neighbour on both sides, and no other line starts at v.
+  // Says if fixed edges, if there are any at v, go straight on there: there are two, each line
+  // between them has one neighbour on both sides, and no other line starts at v.
   bool goes_straight_on(int v) const
   {
     const int fixed = m_surface->number_of_fixed_edges(v);
@@ -169,8 +165,8 @@ private:
     const Surface& surface = field.surface();
     const int g = surface.opposite(h);
     const double here = field.angle(Surface::face(h));
-    const double there = field.angle(Surface::face(g)) + field.matching(h) * right_angle
-                       - surface.transport(h);
+    const double there = field.angle(Surface::face(g)) + field.matching(h) * right_angle -
+                         surface.transport(h);
     const double mean = here + std::remainder(there - here, 4 * right_angle) / 2;
     const double normal = surface.halfedge_angle(h) - right_angle;
     return int(std::floor((normal - mean) / right_angle)) & 3;

@@ -34,29 +34,30 @@ inline bool is_longer(double a, int i, double b, int j)
 //
 // A motorcycle i stops once it has met on its left and on its right a trace j whose candidate
 // separatrix, from the start of i to the start of j, is acceptable by the rule of Section 4.3,
-//   (l_ji - 2r) / (l_ij + 2r) <= tan alpha with l_ij > l_ji,
-// because singularities further out on that side lie behind the trace j. The later trace stops on
-// the earlier one. All stop on the border. Other fixed lines are like traces that start at both their
-// ends: motorcycles can stop on them, too.
+// (l_ji - 2r) / (l_ij + 2r) <= tan alpha with l_ij > l_ji, because singularities further out on
+// that side lie behind the trace j. The later trace stops on the earlier one. All stop on the
+// border. Other fixed lines are like traces that start at both their ends: motorcycles can stop on
+// them, too.
 class Motorcycles
 {
 public:
   struct Rule
   {
-    double tangent;        // of the maximum deviation alpha
-    double displacement;   // the maximum displacement r, as a length
-    double patience;       // a trace longer than this or
-    int maximum_steps;     // with more chords than this stops wherever it can
+    bool is_extended;    // else each stops at the first one that it meets
+    double tangent;      // of the maximum deviation alpha
+    double displacement; // the maximum displacement r, as a length
+    double patience;     // a trace longer than this or
+    int maximum_steps;   // with more chords than this stops wherever it can
   };
 
   struct Trace
   {
     int vertex;
-    int corner;                    // the halfedge from the vertex into whose face it starts
+    int corner; // the halfedge from the vertex into whose face it starts
     std::vector<int> chords;
-    int last_chord = -1;           // where it stops: in crossing `last_crossing` on this chord
-    int last_crossing = -1;        // still -1 if it stops on a fixed edge
-    int farthest_crossing = -1;    // the last node on it so far, on chord `farthest_chord`
+    int last_chord = -1;        // where it stops: in crossing `last_crossing` on this chord
+    int last_crossing = -1;     // still -1 if it stops on a fixed edge
+    int farthest_crossing = -1; // the last node on it so far, on chord `farthest_chord`
     int farthest_chord = -1;
     bool met_on_left = false, met_on_right = false;
   };
@@ -166,7 +167,8 @@ private:
     return m_chords->ends_on_border(c) || may_stop(trace);
   }
 
-  // notes on which sides the end of the fixed line to which chord c leads is an acceptable candidate
+  // notes on which sides the end of the fixed line to which chord c leads is an acceptable
+  // candidate
   void note_ends_of_fixed_line(Trace& t, int c)
   {
     const int h = m_chords->chord(c).to.halfedge, // it leads to the left
@@ -255,18 +257,16 @@ private:
   bool may_stop(int trace) const
   {
     const Trace& t = m_traces[trace];
-    return (t.met_on_left && t.met_on_right) || is_hasty(trace) || is_out_of_patience(t);
+    return (t.met_on_left && t.met_on_right) || !m_rule.is_extended || is_hasty(trace) ||
+           is_out_of_patience(t);
   }
 
-  bool is_hasty(int trace) const
-  {
-    return trace < int(m_is_hasty.size()) && m_is_hasty[trace];
-  }
+  bool is_hasty(int trace) const { return trace < int(m_is_hasty.size()) && m_is_hasty[trace]; }
 
   bool is_out_of_patience(const Trace& t) const
   {
-    return t.chords.size() > std::size_t(m_rule.maximum_steps)
-        || m_chords->chord(t.chords.back()).end > m_rule.patience;
+    return t.chords.size() > std::size_t(m_rule.maximum_steps) ||
+           m_chords->chord(t.chords.back()).end > m_rule.patience;
   }
 
   Trace& trace_of(int c) { return m_traces[m_chords->chord(c).trace]; }

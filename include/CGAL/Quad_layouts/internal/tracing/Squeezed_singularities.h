@@ -12,6 +12,8 @@
 #include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,9 +25,9 @@ namespace internal {
 //
 // A strip of lines that cross a T-mesh must run back into itself, and be as wide as it was. Where
 // traces wind around a limit cycle of the field, strips get narrower with every turn: what is cut
-// off has length 0 in every consistent quantization. If a chain of such arcs joins singularities, or
-// fixed curves, some traces have gone on for too long. In a motorcycle graph that is not extended, few traces get
-// around a limit cycle.
+// off has length 0 in every consistent quantization. If a chain of such arcs joins singularities,
+// or fixed curves, some traces have gone on for too long. In a motorcycle graph that is not
+// extended, few traces get around a limit cycle.
 class Squeezed_singularities
 {
 public:
@@ -34,7 +36,8 @@ public:
     find_chains();
   }
 
-  // per group of singularities that fall together the arcs of a chain from one to another
+  // per group of singularities that fall together the arcs of a chain from one to another, and an
+  // arc of each closed fixed curve that vanishes
   const std::vector<std::vector<int>>& chains() const { return m_chains; }
 
   // Marks traces that should stop earlier, the more the more are marked already. Returns whether
@@ -49,7 +52,46 @@ public:
     return marked > 0;
   }
 
+  // Per chain that is on fixed curves, which nothing but other singularities can separate: the arcs
+  // across the strips that cross it, the nearest first.
+  std::vector<std::vector<int>> arcs_across_strips() const
+  {
+    std::vector<std::vector<int>> result;
+    for (const std::vector<int>& chain : m_chains) {
+      if (!touches_fixed_curve(chain))
+        continue;
+      result.emplace_back();
+      for (const int h : crossed(chain, false))
+        result.back().push_back(T_mesh::edge(h));
+    }
+    return result;
+  }
+
+  // says where the first of them is, nothing if there are none
+  std::string first_place() const
+  {
+    if (m_chains.empty())
+      return "";
+    const Eigen::Vector3d& p = m_t_mesh.point(m_t_mesh.source(2 * m_chains.front().front()));
+    std::ostringstream out;
+    out << "singularities or feature curves fall together near (" << p.x() << ", " << p.y() << ", "
+        << p.z() << ")";
+    return out.str();
+  }
+
 private:
+  // whether a chain leads along or to a fixed curve; along the border corners may merge
+  bool touches_fixed_curve(const std::vector<int>& chain) const
+  {
+    const auto touches = [this](int a) {
+      return m_is_on_fixed_curve[m_t_mesh.source(2 * a)] ||
+             m_is_on_fixed_curve[m_t_mesh.target(2 * a)];
+    };
+    return std::any_of(chain.begin(), chain.end(), touches) &&
+           !std::all_of(chain.begin(), chain.end(),
+                        [this](int a) { return m_t_mesh.is_border_edge(a); });
+  }
+
   bool is_squeezed(int arc) const { return m_graph.variable(arc) < 0; }
 
   void find_chains()
@@ -59,8 +101,11 @@ private:
     for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
       if (is_squeezed(a)) {
         groups.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
-        if (m_t_mesh.is_fixed(a))
+        if (m_t_mesh.is_fixed(a)) {
+          if (pieces.find_set(m_t_mesh.source(2 * a)) == pieces.find_set(m_t_mesh.target(2 * a)))
+            m_chains.push_back({a}); // it closes a fixed curve
           pieces.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
+        }
       }
     for (int v = 0; v < n; ++v) {
       m_piece.push_back(int(pieces.find_set(v)));
@@ -79,7 +124,8 @@ private:
     }
   }
 
-  // whether two nodes are singularities, or ends of fixed lines, or at different places of fixed lines
+  // whether two nodes are singularities, or ends of fixed lines, or at different places of fixed
+  // lines
   bool should_be_apart(int u, int v) const
   {
     const auto is_end = [&](int n) {
@@ -171,8 +217,9 @@ private:
 
   const T_mesh& m_t_mesh;
   const Dual_graph m_graph;
-  std::vector<int> m_piece;              // per node, of the fixed curves as far as they are squeezed
-  std::vector<char> m_is_on_fixed_curve; // per node
+  // per node
+  std::vector<int> m_piece; // of the fixed curves as far as they are squeezed
+  std::vector<char> m_is_on_fixed_curve;
   std::vector<std::vector<int>> m_chains;
 };
 

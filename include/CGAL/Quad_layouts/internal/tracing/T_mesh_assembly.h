@@ -149,7 +149,7 @@ private:
     end_arc(t, node, 1, last.end - length);
     const int h = last.to.halfedge;
     around(node)[surface().halfedge_of_edge(surface().edge(h)) == h ? 1 : 3] =
-      m_result.number_of_halfedges() - 1;
+        m_result.number_of_halfedges() - 1;
   }
 
   // goes on in a new arc behind a fixed edge
@@ -157,7 +157,8 @@ private:
   {
     const int node = m_node_of_point[entry.point];
     const int ahead = surface().halfedge_of_edge(surface().edge(entry.halfedge)) == entry.halfedge
-                          ? 1 : 3;
+                          ? 1
+                          : 3;
     end_arc(t, node, 1, length);
     around(node)[4 - ahead] = m_result.number_of_halfedges() - 1;
     begin_arc(t, node);
@@ -186,8 +187,8 @@ private:
   {
     const bool is_later = m_motorcycles.later_side(x) == m_chords.side(x, c);
     end_arc(t, m_node_of_crossing[x], is_later ? 1 : 0, length);
-    around(m_node_of_crossing[x])[(quarter_turns(x, c) + 2) & 3] =
-      m_result.number_of_halfedges() - 1;
+    around(m_node_of_crossing[x])[(quarter_turns(x, c) + 2) & 3] = m_result.number_of_halfedges() -
+                                                                   1;
   }
 
   // `visit`: which one of the node it is
@@ -282,8 +283,8 @@ private:
     return result;
   }
 
-  // The halfedges that leave an inner node: of a crossing, by quarter-turns from the direction of its
-  // first chord; on a fixed edge, from the direction of its canonical halfedge.
+  // The halfedges that leave an inner node: of a crossing, by quarter-turns from the direction of
+  // its first chord; on a fixed edge, from the direction of its canonical halfedge.
   std::array<int, 4>& around(int node) { return m_around[node - m_first_inner_node]; }
   int quarter_turns(int x, int c) const
   {
@@ -399,8 +400,8 @@ private:
   const Motorcycles& m_motorcycles;
   std::vector<int> m_node_of_vertex, m_node_of_crossing, m_node_of_point; // -1: no node
   std::vector<int> m_halfedge_of_point;
-  std::vector<std::array<int, 4>> m_around;   // per inner node
-  int m_first_inner_node = 0;                 // behind those at vertices of the surface
+  std::vector<std::array<int, 4>> m_around; // per inner node
+  int m_first_inner_node = 0;               // behind those at vertices of the surface
   T_mesh m_result;
 };
 

@@ -24,8 +24,8 @@ inline std::string named_patch(const T_mesh& t_mesh, int p)
 {
   const int trace = t_mesh.trace(Halfedge_complex::edge(t_mesh.halfedge_of(p)));
   const int vertex = t_mesh.surface_vertex(t_mesh.traces[trace].start);
-  return "patch " + std::to_string(p) + " (beside a trace that starts at vertex "
-       + std::to_string(vertex) + ")";
+  return "patch " + std::to_string(p) + " (beside a trace that starts at vertex " +
+         std::to_string(vertex) + ")";
 }
 
 // throws unless every patch has four corners
@@ -37,8 +37,8 @@ inline void check_corners(const T_mesh& t_mesh)
       corners[t_mesh.face(h)] += t_mesh.is_corner(h);
   for (int p = 0; p < t_mesh.number_of_faces(); ++p)
     if (corners[p] != 4)
-      throw Stage_failure("trace_motorcycle_graph: " + named_patch(t_mesh, p) + " has "
-                          + std::to_string(corners[p]) + " corners");
+      throw Stage_failure("trace_motorcycle_graph: " + named_patch(t_mesh, p) + " has " +
+                          std::to_string(corners[p]) + " corners");
 }
 
 // throws unless the T-mesh has the Euler characteristic of the surface in each of its components.
@@ -68,12 +68,13 @@ inline void check_euler_characteristics(const T_mesh& t_mesh)
 
   for (int v = 0; v < surface.number_of_vertices(); ++v)
     if (difference[v] != 0)
-      throw Stage_failure("trace_motorcycle_graph: in the component of vertex " + std::to_string(v)
-                          + " not all patches are discs");
+      throw Stage_failure("trace_motorcycle_graph: in the component of vertex " +
+                          std::to_string(v) + " not all patches are discs");
 }
 
 // Checks that walks around the corners of all triangles cross arcs from patch to patch without a
-// gap, and that arcs along edges have the patches beside these. Then every piece of an edge lies in one patch, and so does every vertex that is no node.
+// gap, and that arcs along edges have the patches beside these. Then every piece of an edge lies in
+// one patch, and so does every vertex that is no node.
 class Crossing_check
 {
 public:
@@ -187,14 +188,14 @@ private:
 
   [[noreturn]] void fail(int h) const
   {
-    throw Stage_failure("trace_motorcycle_graph: the arcs that cross face "
-                        + std::to_string(Surface::face(h)) + " near vertex "
-                        + std::to_string(m_surface.source(h)) + " do not match their patches");
+    throw Stage_failure("trace_motorcycle_graph: the arcs that cross face " +
+                        std::to_string(Surface::face(h)) + " near vertex " +
+                        std::to_string(m_surface.source(h)) + " do not match their patches");
   }
 
   const T_mesh& m_t_mesh;
   const Surface& m_surface;
-  std::vector<int> m_patch;      // per halfedge the patch in which it begins
+  std::vector<int> m_patch; // per halfedge the patch in which it begins
   std::vector<int> m_stack;
 };
 

@@ -21,14 +21,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes all faces valid and all valences at least 2, by a min-conflicts search that starts from labels
-// that are valid nearly everywhere: again and again, the cheapest change of a label near a bad face or
-// vertex.
+// Makes all faces valid and all valences at least 2, by a min-conflicts search that starts from
+// labels that are valid nearly everywhere: again and again, the cheapest change of a label near a
+// bad face or vertex.
 //
 // A label that changes on both sides of its edge keeps the matching. As long as faces are valid, it
 // then keeps the valences, too. A label that changes on one side moves a quarter of index from one
-// end of the edge to the other; this is how vertices of valence 1, which quad meshes do not have, and of
-// valence 0 and less, around which lines can only spiral, share their index with neighbours.
+// end of the edge to the other; this is how vertices of valence 1, which quad meshes do not have,
+// and of valence 0 and less, around which lines can only spiral, share their index with neighbours.
 class Label_repair
 {
 public:
@@ -63,8 +63,8 @@ private:
   struct Change
   {
     int halfedge;
-    int shift;          // is added to the label of the halfedge
-    bool both_sides;    // and to that of the opposite halfedge
+    int shift;       // is added to the label of the halfedge
+    bool both_sides; // and to that of the opposite halfedge
   };
 
   static constexpr int least_valence = 2; // of vertices of quad meshes
@@ -143,15 +143,16 @@ private:
   double cost(int h) const
   {
     const int g = m_surface.opposite(h);
-    return face_cost(Surface::face(h)) + face_cost(Surface::face(g))
-         + vertex_cost(m_surface.source(h)) + vertex_cost(m_surface.source(g))
-         + label_cost(h) + label_cost(g);
+    return face_cost(Surface::face(h)) + face_cost(Surface::face(g)) +
+           vertex_cost(m_surface.source(h)) + vertex_cost(m_surface.source(g)) + label_cost(h) +
+           label_cost(g);
   }
   double face_cost(int f) const { return m_labels.is_valid(f) ? 0 : 8; }
   double vertex_cost(int v) const
   {
     const int valence = m_labels.valence(v);
-    return 8 * (std::max)(least_valence - valence, 0) + (m_labels.index(v) != m_field.index(v) ? 2 : 0);
+    const int moved = m_labels.index(v) != m_field.index(v) ? 2 : 0;
+    return 8 * (std::max)(least_valence - valence, 0) + moved;
   }
   double label_cost(int h) const
   {
@@ -161,9 +162,10 @@ private:
 
   [[noreturn]] void fail(int h) const
   {
-    throw Stage_failure("trace_motorcycle_graph: cannot say which way the field runs through face "
-                        + std::to_string(Surface::face(h)) + ", or around vertex "
-                        + std::to_string(m_surface.source(h)));
+    throw Stage_failure(
+        "trace_motorcycle_graph: cannot say which way the field runs through face " +
+        std::to_string(Surface::face(h)) + ", or around vertex " +
+        std::to_string(m_surface.source(h)));
   }
 
   Labels& m_labels;

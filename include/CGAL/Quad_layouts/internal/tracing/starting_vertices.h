@@ -41,9 +41,9 @@ inline std::vector<int> components(const Triangle_surface& surface)
   return component;
 }
 
-// Lets traces start at the first vertex of each closed curve of fixed edges, like a border, that would
-// have no start otherwise. The curve must have one, and so must every patch at it, which would be no
-// disc.
+// Lets traces start at the first vertex of each closed curve of fixed edges, like a border, that
+// would have no start otherwise. The curve must have one, and so must every patch at it, which
+// would be no disc.
 inline void start_on_each_fixed_curve(const Triangle_surface& surface, std::vector<char>& starts)
 {
   Disjoint_sets curves(surface.number_of_vertices());
@@ -60,9 +60,9 @@ inline void start_on_each_fixed_curve(const Triangle_surface& surface, std::vect
       starts[v] = has_start[curves.find_set(v)] = 1;
 }
 
-// returns the vertices where traces start, ascending: the singular ones, those where fixed curves end,
-// meet or have corners, `seeds`, and the first vertex of each fixed curve and each component that
-// would have none otherwise
+// returns the vertices where traces start, ascending: the singular ones, those where fixed curves
+// end, meet or have corners, `seeds`, and the first vertex of each fixed curve and each component
+// that would have none otherwise
 inline std::vector<int> starting_vertices(const Labels& labels, const std::vector<int>& seeds)
 {
   const Triangle_surface& surface = labels.surface();

@@ -10,7 +10,7 @@
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/tracing/Isoline_chords.h>
-#include <CGAL/Quad_layouts/internal/tracing/trace_motorcycles.h>
+#include <CGAL/Quad_layouts/internal/tracing/Tracing.h>
 
 #include <array>
 #include <string>
@@ -60,8 +60,9 @@ inline T_mesh trace_in_parametrization(const Seamless_parametrization& map, doub
 {
   const Labels labels(map);
   check_charts(map, labels);
-  T_mesh result = trace_motorcycles<Isoline_chords>(map.surface_pointer, map, labels, tangent,
-                                                    displacement, monitor);
+  Tracing<Isoline_chords, Seamless_parametrization> tracing(
+      map.surface_pointer, map, stopping_rule(map.surface(), tangent, displacement), monitor);
+  T_mesh result = tracing.trace(labels);
   check_opposite_sides(result);
   result.route = PARAMETRIZATION;
   return result;
