@@ -29,6 +29,7 @@ BOOST_AUTO_TEST_SUITE(test_graph_traits_Halfedge_complex)
 
 namespace QL = CGAL::Quad_layouts;
 namespace PMP = CGAL::Polygon_mesh_processing;
+using QL::edge; // a solver has a type of this name, too
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 

@@ -23,7 +23,7 @@ namespace internal = CGAL::Quad_layouts::internal;
 inline QL::T_mesh motorcycle_graph(const QL::Cross_field& field, const std::vector<char>& is_hasty)
 {
   const internal::Labels labels = internal::make_labels(field);
-  internal::Chords chords(field, labels);
+  internal::Field_chords chords(field, labels);
   const internal::Motorcycles::Rule rule = internal::stopping_rule(field.surface(), 0.1, 0);
   internal::Motorcycles motorcycles(chords, rule, internal::starting_vertices(labels, {}),
                                     is_hasty);
