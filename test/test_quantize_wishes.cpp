@@ -507,7 +507,7 @@ BOOST_AUTO_TEST_CASE(of_divided_faces)
       mirrored.insert(e.left.begin(), e.left.end());
       mirrored.insert(e.right.begin(), e.right.end());
     }
-    BOOST_TEST(int(mirrored.size()) > 0.8 * t.number_of_edges());
+    BOOST_TEST(int(mirrored.size()) > 0.75 * t.number_of_edges());
   }
 }
 
