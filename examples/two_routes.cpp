@@ -4,8 +4,8 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Compares the layouts of a model by two routes: along the directions of its cross field, and along the lines
-// of a seamless parametrization, whose T-mesh has exactly equal opposite sides.
+// Compares the layouts of a model by two routes: along the directions of its cross field, and along
+// the lines of a seamless parametrization, whose T-mesh has exactly equal opposite sides.
 
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>

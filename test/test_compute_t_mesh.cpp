@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(both_routes)
   invariants::check_opposite_sides(t);
 }
 
-// Around a vertex of index 3 there would be an angle of 90 degrees, at which one line starts; around one of
-// index 4 none.
+// Around a vertex of index 3 there would be an angle of 90 degrees, at which one line starts;
+// around one of index 4 none.
 BOOST_AUTO_TEST_CASE(fields_without_a_parametrization_fall_back)
 {
   const auto has_steep_vertex = [](const QL::Cross_field& field) {

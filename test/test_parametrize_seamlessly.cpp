@@ -196,8 +196,8 @@ BOOST_AUTO_TEST_CASE(surfaces_with_borders)
     checked_map(QL::compute_cross_field(mesh), 0.1);
 }
 
-// The diagonals of the sides of a cube join vertices of its edges, which are all fixed: were they not
-// divided, the faces beside them could lose their area.
+// The diagonals of the sides of a cube join vertices of its edges, which are all fixed: were they
+// not divided, the faces beside them could lose their area.
 BOOST_AUTO_TEST_CASE(faces_between_features)
 {
   Mesh mesh = generated::cube(1);
@@ -225,8 +225,8 @@ BOOST_AUTO_TEST_CASE(inverted_triangles_are_turned_back)
   checked_map(field, 0.05);
 }
 
-// A vertex of valence 5 that has lost a full turn, which a regular one has in excess: the map has no inverted
-// triangle then, and yet must be repaired.
+// A vertex of valence 5 that has lost a full turn, which a regular one has in excess: the map has
+// no inverted triangle then, and yet must be repaired.
 BOOST_AUTO_TEST_CASE(wrong_windings_are_repaired)
 {
   const QL::Cross_field field = QL::compute_cross_field(generated::slab_with_holes(2, 4));

@@ -22,14 +22,15 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsClasses
 
-is a seamless parametrization of a triangle mesh: each triangle has a chart, in which its corners have
-coordinates, and across an edge the chart changes by a number of quarter-turns and a translation. So the
-lines of constant coordinates form one net on the surface, and lengths along them agree everywhere.
+is a seamless parametrization of a triangle mesh: each triangle has a chart, in which its corners
+have coordinates, and across an edge the chart changes by a number of quarter-turns and a
+translation. So the lines of constant coordinates form one net on the surface, and lengths along
+them agree everywhere.
 
-Coordinates and translations are integer multiples of `unit`, and so are exact: the changes of chart take
-the two ends of each edge to where they are in the other chart, without any error. Around a *cone*, a vertex
-where the field has an index, the changes of chart compose to a rotation about the vertex; around all others
-to the identity. Fixed edges have a constant coordinate.
+Coordinates and translations are integer multiples of `unit`, and so are exact: the changes of chart
+take the two ends of each edge to where they are in the other chart, without any error. Around a
+*cone*, a vertex where the field has an index, the changes of chart compose to a rotation about the
+vertex; around all others to the identity. Fixed edges have a constant coordinate.
 */
 class Seamless_parametrization
 {

@@ -39,9 +39,9 @@ T_mesh t_mesh_of_parametrization(const Cross_field& field, const Time_budget& bu
 computes the T-mesh of a cross field, in the field itself or by way of a seamless parametrization.
 
 By the route `FIELD` it runs `trace_motorcycle_graph()`. By the route `PARAMETRIZATION` it runs
-`parametrize_seamlessly()` first, and traces in the result, where lengths agree everywhere. If no locally
-injective parametrization is found, or not in half of the time, it tells the visitor, and goes on by the
-route `FIELD`. `T_mesh::route` says which one it was.
+`parametrize_seamlessly()` first, and traces in the result, where lengths agree everywhere. If no
+locally injective parametrization is found, or not in half of the time, it tells the visitor, and
+goes on by the route `FIELD`. `T_mesh::route` says which one it was.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

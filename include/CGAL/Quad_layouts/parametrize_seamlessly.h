@@ -39,16 +39,16 @@ computes a seamless parametrization that follows a cross field.
 
 The surface is cut open to discs along a graph through all singularities. A map of the discs to the
 plane minimises the deviation of its Jacobians from the directions of the field and the target edge
-length (Bommes, Zimmer and Kobbelt, <em>Mixed-integer quadrangulation</em>, 2009), such that both sides
-of each cut are equal up to quarter-turns and translations. These are real, not rounded to integers: the
-parametrization is seamless, but no integer-grid map. Fixed edges of the field's surface get a constant
-coordinate. Then inverted triangles are turned back by the regularized
+length (Bommes, Zimmer and Kobbelt, <em>Mixed-integer quadrangulation</em>, 2009), such that both
+sides of each cut are equal up to quarter-turns and translations. These are real, not rounded to
+integers: the parametrization is seamless, but no integer-grid map. Fixed edges of the field's
+surface get a constant coordinate. Then inverted triangles are turned back by the regularized
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
-unknowns of the seamless maps, so that the map stays seamless. Vertices of valence 5 and more around which
-triangles cover the wrong angle get their triangles spread over the right one first, and then the same is
-done again. At last coordinates are rounded to
-integer multiples of a power of two that satisfy all relations exactly (Mandad and Campen, <em>Exact
-constraint satisfaction for truly seamless parametrization</em>, 2019), which is verified in integers.
+unknowns of the seamless maps, so that the map stays seamless. Vertices of valence 5 and more around
+which triangles cover the wrong angle get their triangles spread over the right one first, and then
+the same is done again. At last coordinates are rounded to integer multiples of a power of two that
+satisfy all relations exactly (Mandad and Campen, <em>Exact constraint satisfaction for truly
+seamless parametrization</em>, 2019), which is verified in integers.
 
 The result counts what is not locally injective. There need not be a locally injective map for every
 field and mesh, and not every one that there is will be found.

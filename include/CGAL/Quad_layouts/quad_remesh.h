@@ -119,9 +119,9 @@ loops and several edges between two vertices, which not every function on meshes
 \param out the mesh that the layout is added to
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
-          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
-          of which the integer program gets 30 seconds at most; and `face_weight_map`, which says how
-          dear patches are on a face, see `arc_weights()`
+          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is
+          for all stages together, of which the integer program gets 30 seconds at most; and
+          `face_weight_map`, which says how dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               `vertex_point_map`
 
@@ -158,9 +158,9 @@ them.
 \param out the mesh that the quadrilaterals are stored in; it must be empty
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
-          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
-          of which the integer program gets 30 seconds at most; and `face_weight_map`, which says how
-          dear patches are on a face, see `arc_weights()`
+          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is
+          for all stages together, of which the integer program gets 30 seconds at most; and
+          `face_weight_map`, which says how dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               those of `extract_quad_mesh()` and `smooth_quad_mesh()`
 

@@ -55,8 +55,8 @@ without corners get a seed.
 
 Where the field turns too fast for its triangles, the index of a singularity may appear at a
 neighbor of its vertex, and vertices at which no line would start (index 4 and more), or only one,
-which no quad mesh has, share their index with their neighbors. The indices in the T-mesh are those that the traces obey; their sum is
-four times the Euler characteristic.
+which no quad mesh has, share their index with their neighbors. The indices in the T-mesh are those
+that the traces obey; their sum is four times the Euler characteristic.
 
 @tparam NamedParameters a sequence of named parameters
 
@@ -117,15 +117,17 @@ T_mesh trace_motorcycle_graph(const Cross_field& field,
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-traces an extended motorcycle graph in a seamless parametrization, along lines of constant coordinates.
+traces an extended motorcycle graph in a seamless parametrization, along lines of constant
+coordinates.
 
-Motorcycles start at the cones, and stop by the same rule as in a cross field. Their lengths are those in
-the map: integer multiples of its unit, and exact, so that opposite sides of each patch have exactly the
-same length. Integers alone decide which way lines take, which are crossed first, and where they meet.
+Motorcycles start at the cones, and stop by the same rule as in a cross field. Their lengths are
+those in the map: integer multiples of its unit, and exact, so that opposite sides of each patch
+have exactly the same length. Integers alone decide which way lines take, which are crossed first,
+and where they meet.
 
-Lines that run through a vertex, along an edge or over another line, as they do on symmetric surfaces, are
-decided by one rule: all lines are turned right by the same infinitesimal angle. So they pass all vertices
-on their right, cones included, and a node may be at distance 0 from others.
+Lines that run through a vertex, along an edge or over another line, as they do on symmetric
+surfaces, are decided by one rule: all lines are turned right by the same infinitesimal angle. So
+they pass all vertices on their right, cones included, and a node may be at distance 0 from others.
 `quantize()` can be told by `lock_alignments` to keep such cones on one line.
 
 @tparam NamedParameters a sequence of named parameters
@@ -134,8 +136,9 @@ on their right, cones included, and a node may be at distance 0 from others.
 @param np an optional sequence of the same named parameters as for cross fields
 
 @throw Invalid_parameter if a parameter is out of its range.
-@throw Stage_failure if the parametrization is not locally injective, or if the result is not a partition
-       into discs with four corners the opposite sides of which have equal lengths; this is always checked.
+@throw Stage_failure if the parametrization is not exact or not locally injective, or if the result
+       is not a partition into discs with four corners the opposite sides of which have equal
+       lengths; this is always checked.
 @throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 @throw Cancelled if the visitor asks to stop.
 */

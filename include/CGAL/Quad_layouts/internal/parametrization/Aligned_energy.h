@@ -32,10 +32,10 @@ namespace internal {
 //
 //     sum over triangles  area (|J - 1|^2 + w distortion(J)),
 //
-// J being the Jacobian in the coordinates of the chart, in units of the target edge length. The first part
-// is that of Bommes, Zimmer and Kobbelt (2009): the map follows the field, with the target edge length. The
-// second part keeps triangles from being inverted, or turns them back. For some triangles another J than 1 can
-// be demanded, which then counts more than all else.
+// J being the Jacobian in the coordinates of the chart, in units of the target edge length. The
+// first part is that of Bommes, Zimmer and Kobbelt (2009): the map follows the field, with the
+// target edge length. The second part keeps triangles from being inverted, or turns them back. For
+// some triangles another J than 1 can be demanded, which then counts more than all else.
 class Aligned_energy
 {
 public:

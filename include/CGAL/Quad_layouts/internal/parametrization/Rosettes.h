@@ -20,14 +20,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Shapes for the triangles around vertices: they are spread over the angle that the index demands, in
-// proportion to their own angles, and turned as the field is in the mean.
+// Shapes for the triangles around vertices: they are spread over the angle that the index demands,
+// in proportion to their own angles, and turned as the field is in the mean.
 //
-// Where the field turns fast, the map nearest to it may fold the triangles around a vertex of valence 5 or
-// more into the angle that is left by a full turn, and wind twice around others instead. As all triangles
-// may be positive there, nothing drives them back. But once all such vertices have their angles, so have all
-// vertices: the angles of positive triangles sum to what the Euler characteristic demands, and a vertex
-// of a smaller valence cannot lose a full turn.
+// Where the field turns fast, the map nearest to it may fold the triangles around a vertex of
+// valence 5 or more into the angle that is left by a full turn, and wind twice around others
+// instead. As all triangles may be positive there, nothing drives them back. But once all such
+// vertices have their angles, so have all vertices: the angles of positive triangles sum to what
+// the Euler characteristic demands, and a vertex of a smaller valence cannot lose a full turn.
 class Rosettes
 {
 public:
@@ -52,7 +52,8 @@ public:
   }
 
 private:
-  // a triangle at the source of its halfedge, with the directions of its two sides there in its chart
+  // a triangle at the source of its halfedge, with the directions of its two sides there in its
+  // chart
   struct Petal
   {
     int halfedge;

@@ -46,8 +46,8 @@ public:
     untangle();
   }
 
-  // does the same with the triangles around some vertices spread like the rosettes of another field, which
-  // differs in its indices at most, and then lets them go
+  // does the same with the triangles around some vertices spread like the rosettes of another
+  // field, which differs in its indices at most, and then lets them go
   void align_with_rosettes(const Cross_field& field, const std::vector<int>& vertices)
   {
     const Rosettes rosettes(field, m_cut, m_edge_length);

@@ -28,9 +28,10 @@ inline Integer_128 area_in_map(const Seamless_parametrization& map, int f)
          Integer_128(q.y() - p.y()) * (r.x() - p.x());
 }
 
-// Says what is not exact: a transition that does not take the ends of its edge to where they are on the
-// other side, two opposite ones that are no inverses, a fixed edge without a constant coordinate, or a
-// vertex around which the quarter-turns do not sum to its index. Empty if all is exact.
+// Says what is not exact: a transition that does not take the ends of its edge to where they are on
+// the other side, two opposite ones that are no inverses, a fixed edge without a constant
+// coordinate, or a vertex around which the quarter-turns do not sum to its index. Empty if all is
+// exact.
 inline std::string inexactness(const Seamless_parametrization& map)
 {
   const Triangle_surface& surface = map.surface();
@@ -70,8 +71,9 @@ inline int number_of_inverted_faces(const Seamless_parametrization& map)
   return result;
 }
 
-// The angles of positive triangles around a vertex sum to an integer number of right angles, because the
-// transitions are exact and fixed edges have the directions of axes: so errors of rounding are rounded away.
+// The angles of positive triangles around a vertex sum to an integer number of right angles,
+// because the transitions are exact and fixed edges have the directions of axes: so errors of
+// rounding are rounded away.
 inline bool has_right_angle_sum(const Seamless_parametrization& map, int v)
 {
   constexpr double right_angle = 1.57079632679489661923;

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A power of two so small that coordinates, of which `largest` is the largest, take as many bits as exact
-// arithmetic leaves: lines hundreds of times as long have lengths that are exact as `double`, and sums of
-// products of these fit into 128 bits.
+// A power of two so small that coordinates, of which `largest` is the largest, take as many bits as
+// exact arithmetic leaves: lines hundreds of times as long have lengths that are exact as `double`,
+// and sums of products of these fit into 128 bits.
 inline double unit_for(double largest)
 {
   constexpr int bits = 44;
@@ -33,8 +33,8 @@ inline double unit_for(double largest)
   return std::ldexp(1., exponent - bits);
 }
 
-// The unknowns as integers that satisfy all relations: the free ones are rounded to multiples of the common
-// denominator, and the others follow.
+// The unknowns as integers that satisfy all relations: the free ones are rounded to multiples of
+// the common denominator, and the others follow.
 inline std::vector<std::int64_t> rounded_unknowns(const Seam_constraints& seams,
                                                   const Eigen::VectorXd& x, double unit)
 {
@@ -55,8 +55,8 @@ inline std::vector<std::int64_t> rounded_unknowns(const Seam_constraints& seams,
   return result;
 }
 
-// the parametrization with coordinates near to x, which are in target edge lengths; without the counts of
-// what is wrong
+// the parametrization with coordinates near to x, which are in target edge lengths; without the
+// counts of what is wrong
 inline Seamless_parametrization exact_parametrization(const Cross_field& field,
                                                       const Cut_graph& cut,
                                                       const Seam_constraints& seams,

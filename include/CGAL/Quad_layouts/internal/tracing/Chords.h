@@ -23,9 +23,9 @@ namespace internal {
 //
 // A *chord* is the piece of a trace in a triangle, between two places of the boundary: points on
 // sides, or the corner where the trace starts. Which chords cross, and in which order along a
-// chord, follows from the order of their ends around the triangle. Where chords leave triangles, and how
-// long they are, is up to derived classes, which know the map or the field that traces follow. Their exits
-// must be such that
+// chord, follows from the order of their ends around the triangle. Where chords leave triangles,
+// and how long they are, is up to derived classes, which know the map or the field that traces
+// follow. Their exits must be such that
 // - a chord crosses none of its own family, and
 // - direction d + 1 crosses direction d from right to left only.
 // The second rule keeps two traces from crossing twice in a row: no patch is a digon.
@@ -141,7 +141,8 @@ protected:
   {
   }
 
-  // sets the end of a new chord, and the length there; `previous` is the chord that it continues, or -1
+  // sets the end of a new chord, and the length there; `previous` is the chord that it continues,
+  // or -1
   virtual void leave_face(Chord& chord, int previous) = 0;
   // the lengths of the traces of two crossing chords where they meet, as proposals
   virtual std::pair<double, double> lengths_at_crossing(int c, int d) const = 0;

@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The pieces of traces along the directions of a cross field. The exit of a new chord is proposed by the
-// interval map, and then limited by the chords that it must not cross. Lengths are those on the surface.
+// The pieces of traces along the directions of a cross field. The exit of a new chord is proposed
+// by the interval map, and then limited by the chords that it must not cross. Lengths are those on
+// the surface.
 class Field_chords : public Chords
 {
 public:

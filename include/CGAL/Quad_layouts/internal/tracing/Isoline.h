@@ -18,15 +18,15 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A line of constant coordinate in the chart of a face, which began at `origin`, where that would be in this
-// chart if the charts on its way were laid out one beside the other.
+// A line of constant coordinate in the chart of a face, which began at `origin`, where that would
+// be in this chart if the charts on its way were laid out one beside the other.
 //
-// Lines run through vertices, along edges and over each other, on symmetric surfaces everywhere. So all
-// of them are turned right by the same infinitesimal angle: at length x a line is infinitely little, but
-// proportionally to x, to the right of where it should be. Charts agree about that, as they agree about
-// right angles; such lines of one family are parallel everywhere, and none runs through a vertex. They
-// cross the same edges on any surface on which they are turned little enough, hence all orders that they
-// have are consistent. Lengths are those without the turn.
+// Lines run through vertices, along edges and over each other, on symmetric surfaces everywhere. So
+// all of them are turned right by the same infinitesimal angle: at length x a line is infinitely
+// little, but proportionally to x, to the right of where it should be. Charts agree about that, as
+// they agree about right angles; such lines of one family are parallel everywhere, and none runs
+// through a vertex. All angles that are small enough give the same orders along edges, which are
+// those of real lines, and so consistent. Lengths are those without the turn.
 struct Isoline
 {
   using Integer = Seamless_parametrization::Integer;
@@ -87,10 +87,11 @@ public:
                                                                               : quotient);
   }
 
-  // Says if this cut of a segment is nearer to its source than another one. Turned right by an angle with
-  // the tangent e, a line is where y + e x = 0, and so cuts a segment from a on along v at the fraction
-  // -(a.y + e a.x) / (v.y + e v.x). The difference of two fractions has the sign of a polynomial in e,
-  // which is that of the first coefficient that is not 0. All three are 0 only for lines from one origin.
+  // Says if this cut of a segment is nearer to its source than another one. Turned right by an
+  // angle with the tangent e, a line is where y + e x = 0, and so cuts a segment from a on along v
+  // at the fraction -(a.y + e a.x) / (v.y + e v.x). The difference of two fractions has the sign of
+  // a polynomial in e, which is that of the first coefficient that is not 0. All three are 0 only
+  // for lines from one origin.
   friend bool operator<(const Isoline_cut& s, const Isoline_cut& t)
   {
     const auto &a = s.m_source, &v = s.m_vector, &b = t.m_source, &w = t.m_vector;

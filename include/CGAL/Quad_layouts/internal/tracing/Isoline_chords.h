@@ -18,10 +18,10 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The pieces of traces along the lines of constant coordinates of a seamless parametrization, which must be
-// locally injective. Integers alone decide where they run. Lengths are those in the map, and exact: integer
-// multiples of its unit, which is a power of two. At sides of triangles, where they need not be integers,
-// they are rounded down, which keeps their order.
+// The pieces of traces along the lines of constant coordinates of a seamless parametrization, which
+// must be locally injective. Integers alone decide where they run. Lengths are those in the map,
+// and exact: integer multiples of its unit, which is a power of two. At sides of triangles, where
+// they need not be integers, they are rounded down, which keeps their order.
 class Isoline_chords : public Chords
 {
 public:

@@ -48,8 +48,9 @@ public:
     }
   }
 
-  // reads the labels off a parametrization, whose charts have the directions of the axes. Where edges run
-  // along these, directions are those of the axes turned right infinitesimally, as isolines are.
+  // reads the labels off a parametrization, whose charts have the directions of the axes. Where
+  // edges run along these, directions are those of the axes turned right infinitesimally, as
+  // isolines are.
   explicit Labels(const Seamless_parametrization& map)
     : m_surface(&map.surface()), m_label(map.surface().number_of_halfedges())
   {

@@ -116,7 +116,8 @@ private:
     int crossing;
   };
 
-  // The order of events is total. At equal lengths it is that of the traces, and along each of them.
+  // The order of events is total. At equal lengths it is that of the traces, and along each of
+  // them.
   struct Comes_later
   {
     const Chords* chords;

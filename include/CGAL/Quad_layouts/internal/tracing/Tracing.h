@@ -49,7 +49,8 @@ inline int seed_beside(const Labels& labels, int f)
   return seed;
 }
 
-// Traces motorcycle graphs of what `RouteChords` run in: a cross field, or a parametrization of the surface.
+// Traces motorcycle graphs of what `RouteChords` run in: a cross field, or a parametrization of the
+// surface.
 template <class RouteChords, class Route>
 class Tracing
 {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
 #include <CGAL/Quad_layouts/internal/tracing/Isoline_chords.h>
 #include <CGAL/Quad_layouts/internal/tracing/Tracing.h>
 
@@ -26,9 +27,11 @@ inline void check_charts(const Seamless_parametrization& map, const Labels& labe
   const auto fail = [](const std::string& what) {
     throw Stage_failure("trace_motorcycle_graph: " + what + " in the parametrization");
   };
+  if (const std::string error = inexactness(map); !error.empty())
+    fail(error);
   for (int f = 0; f < map.surface().number_of_faces(); ++f)
-    if (!labels.is_valid(f))
-      fail("face " + std::to_string(f) + " is inverted");
+    if (area_in_map(map, f) <= 0)
+      fail("face " + std::to_string(f) + " has no positive area");
   for (int v = 0; v < map.surface().number_of_vertices(); ++v)
     if (map.surface().halfedge(v) >= 0 && labels.index(v) != map.vertex_index[v])
       fail("vertex " + std::to_string(v) + " has index " + std::to_string(labels.index(v)) +
@@ -37,8 +40,8 @@ inline void check_charts(const Seamless_parametrization& map, const Labels& labe
       fail("only one line starts at vertex " + std::to_string(v));
 }
 
-// Throws unless opposite sides of all patches have the same length. Lengths are numbers of units that are
-// powers of two, which are summed up without an error.
+// Throws unless opposite sides of all patches have the same length. Lengths are numbers of units
+// that are powers of two, which are summed up without an error.
 inline void check_opposite_sides(const T_mesh& t_mesh)
 {
   for (int p = 0; p < t_mesh.number_of_faces(); ++p) {
@@ -53,8 +56,8 @@ inline void check_opposite_sides(const T_mesh& t_mesh)
   }
 }
 
-// traces the extended motorcycle graph of a parametrization; `tangent` is that of the maximum deviation,
-// `displacement` a length
+// traces the extended motorcycle graph of a parametrization; `tangent` is that of the maximum
+// deviation, `displacement` a length
 inline T_mesh trace_in_parametrization(const Seamless_parametrization& map, double tangent,
                                        double displacement, const Monitor& monitor)
 {
