@@ -165,6 +165,35 @@ inline double length_until(const T_mesh& t, const T_mesh::Visit& visit)
   return sum;
 }
 
+// Replays the stopping rule on the finished T-mesh: says if trace i ends exactly where it has met
+// an acceptable candidate on both sides for the first time.
+inline bool ends_by_the_rule(const T_mesh& t, int i, double tangent, double displacement)
+{
+  bool left = false, right = false;
+  double own = 0;
+  for (int a : t.traces[i].arcs) {
+    own += t.length(a);
+    const int n = t.target(2 * a);
+    const T_mesh::Visit& first = t.node_visits[n][0];
+    const T_mesh::Visit& second = t.node_visits[n][1];
+    if (t.traces[second.trace].arcs[second.arcs - 1] != a)
+      continue;
+    if (left && right)
+      return false;
+    const double other = length_until(t, first);
+    if (other - 2 * displacement <= tangent * (own + 2 * displacement))
+      (t.next(2 * a) % 2 == 0 ? right : left) = true;
+  }
+  return left && right;
+}
+
+inline void check_stopping_rule(const T_mesh& t, double tangent, double displacement)
+{
+  BOOST_TEST(violations(int(t.traces.size()), [&](int i) {
+    return ends_by_the_rule(t, i, tangent, displacement);
+  }) == 0);
+}
+
 // what rounding may make of coordinates and lengths
 inline double tolerance_of(const T_mesh& t)
 {
@@ -189,6 +218,21 @@ inline void check_visits(const T_mesh& t)
 inline void check_lengths(const T_mesh& t)
 {
   BOOST_TEST(violations(t.number_of_edges(), [&](int a) { return t.length(a) >= 0; }) == 0);
+}
+
+// In a parametrization opposite sides of patches are equal, to the last bit.
+inline void check_opposite_sides(const T_mesh& t)
+{
+  const auto length = [&](const std::vector<int>& side) {
+    double sum = 0;
+    for (int h : side)
+      sum += t.length(Halfedge_complex::edge(h));
+    return sum;
+  };
+  BOOST_TEST(violations(t.number_of_faces(), [&](int p) {
+    const auto sides = t.sides(p);
+    return length(sides[0]) == length(sides[2]) && length(sides[1]) == length(sides[3]);
+  }) == 0);
 }
 
 // No arc is shorter than the straight line. In needles, where rounding decides where chords cross, this

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE CBC_mixed_integer_program_traits
 #include "solver_comparison.h"
 
 #include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
@@ -15,6 +14,8 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_CBC_mixed_integer_program_traits)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -57,3 +58,5 @@ BOOST_AUTO_TEST_CASE(prints_nothing)
 {
   solver_comparison::prints_nothing<Traits>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

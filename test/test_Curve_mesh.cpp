@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE Curve_mesh
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -15,6 +14,8 @@
 #include <algorithm>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_Curve_mesh)
 
 namespace QL = CGAL::Quad_layouts;
 using QL::internal::Curve_mesh;
@@ -145,3 +146,5 @@ BOOST_AUTO_TEST_CASE(collapses_keep_curves)
   BOOST_TEST(length() == before - 1);
   BOOST_TEST(length() == std::count(mesh.curve.begin(), mesh.curve.end(), 1));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

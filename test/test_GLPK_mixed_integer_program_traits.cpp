@@ -4,12 +4,13 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE GLPK_mixed_integer_program_traits
 #include "solver_cases.h"
 
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(test_GLPK_mixed_integer_program_traits)
 
 namespace internal = CGAL::Quad_layouts::internal;
 
@@ -27,3 +28,5 @@ BOOST_AUTO_TEST_CASE(survives_fatal_errors_of_glpk)
   BOOST_TEST(
       internal::run_guarded_from_glpk([](void*) { glp_delete_prob(glp_create_prob()); }, nullptr));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

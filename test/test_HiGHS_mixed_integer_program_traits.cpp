@@ -4,12 +4,13 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE HiGHS_mixed_integer_program_traits
 #include "solver_comparison.h"
 
 #include <CGAL/Quad_layouts/HiGHS_mixed_integer_program_traits.h>
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(test_HiGHS_mixed_integer_program_traits)
 
 namespace QL = CGAL::Quad_layouts;
 
@@ -45,3 +46,5 @@ BOOST_AUTO_TEST_CASE(prints_nothing)
 {
   solver_comparison::prints_nothing<Traits>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE Layout_curves
 #include <boost/test/unit_test.hpp>
 
 #include "embedding_cases.h"
@@ -17,6 +16,8 @@
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_Layout_curves)
 
 namespace QL = CGAL::Quad_layouts;
 using QL::Quad_layout;
@@ -173,3 +174,5 @@ BOOST_AUTO_TEST_CASE(charts_close_around_regular_vertices)
       BOOST_TEST(wrong == 0);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

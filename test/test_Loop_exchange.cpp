@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE Loop_exchange
 #include "generated_meshes.h"
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
@@ -17,6 +16,8 @@
 #include <algorithm>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_Loop_exchange)
 
 namespace QL = CGAL::Quad_layouts;
 namespace internal = QL::internal;
@@ -117,3 +118,5 @@ BOOST_FIXTURE_TEST_CASE(takes_notice_of_cuts, Fixture)
   BOOST_TEST(exchange.step(0)); // above the limit, but needed
   BOOST_TEST(internal::Program_evaluation(program, exchange.values()).satisfies_cuts());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

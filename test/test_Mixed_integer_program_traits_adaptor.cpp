@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE Mixed_integer_program_traits_adaptor
 #include "solver_comparison.h"
 
 #include <CGAL/Quad_layouts/Mixed_integer_program_traits_adaptor.h>
@@ -16,6 +15,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_Mixed_integer_program_traits_adaptor)
 
 using CGAL::Quad_layouts::Mixed_integer_program_traits_adaptor;
 using solver_cases::infinity;
@@ -174,3 +175,5 @@ BOOST_AUTO_TEST_CASE(quantizes)
     BOOST_TEST((cautious.status == QL::Quantization::FEASIBLE));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

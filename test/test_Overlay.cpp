@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE Overlay
 #include <boost/test/unit_test.hpp>
 
 #include "embedding_cases.h"
@@ -12,6 +11,8 @@
 #include <CGAL/Quad_layouts/internal/embedding/Overlay.h>
 
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_Overlay)
 
 namespace QL = CGAL::Quad_layouts;
 using QL::T_mesh;
@@ -97,3 +98,5 @@ BOOST_AUTO_TEST_CASE(patches_are_discs_between_arcs)
         BOOST_TEST(d == 1);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,10 +4,10 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE Squeezed_singularities
 #include "generated_fields.h"
 #include "generated_meshes.h"
 #include "invariants.h"
+#include "traced_graphs.h"
 
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
@@ -21,22 +21,13 @@
 #include <map>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_Squeezed_singularities)
+
 namespace QL = CGAL::Quad_layouts;
 namespace internal = CGAL::Quad_layouts::internal;
+using traced_graphs::motorcycle_graph;
 
 namespace {
-
-// the extended motorcycle graph of a field, all traces being extended
-QL::T_mesh extended_graph(const QL::Cross_field& field, const std::vector<char>& is_hasty)
-{
-  const internal::Labels labels = internal::make_labels(field);
-  internal::Chords chords(field, labels);
-  const internal::Motorcycles::Rule rule = internal::stopping_rule(field.surface(), 0.1, 0);
-  internal::Motorcycles motorcycles(chords, rule, internal::starting_vertices(labels, {}),
-                                    is_hasty);
-  BOOST_REQUIRE_EQUAL(motorcycles.run(internal::Monitor()), -1);
-  return internal::T_mesh_assembly(field.surface_pointer(), chords, motorcycles)();
-}
 
 // By a linear program: says which arcs are positive in some consistent quantization. As these can
 // be added and scaled, some are at least 1 wherever they can be positive.
@@ -101,7 +92,7 @@ BOOST_AUTO_TEST_CASE(chains_are_squeezed_in_all_consistent_quantizations)
 {
   int chains = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
-    const QL::T_mesh t = extended_graph(field_of(seed), {});
+    const QL::T_mesh t = motorcycle_graph(field_of(seed), {});
     const std::vector<char> positive = can_be_positive(t);
     const internal::Squeezed_singularities squeezed(t);
     for (const std::vector<int>& chain : squeezed.chains()) {
@@ -121,7 +112,7 @@ BOOST_AUTO_TEST_CASE(chains_are_squeezed_in_all_consistent_quantizations)
 BOOST_AUTO_TEST_CASE(finds_all_groups)
 {
   for (unsigned seed = 1; seed <= 6; ++seed) {
-    const QL::T_mesh t = extended_graph(field_of(seed), {});
+    const QL::T_mesh t = motorcycle_graph(field_of(seed), {});
     const std::vector<char> positive = can_be_positive(t);
     internal::Disjoint_sets nodes(t.number_of_vertices());
     for (int a = 0; a < t.number_of_edges(); ++a)
@@ -142,9 +133,9 @@ BOOST_AUTO_TEST_CASE(hasty_traces_release_them)
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const QL::Cross_field field = field_of(seed);
     std::vector<char> is_hasty;
-    QL::T_mesh t = extended_graph(field, is_hasty);
+    QL::T_mesh t = motorcycle_graph(field, is_hasty);
     while (internal::Squeezed_singularities(t).release(is_hasty))
-      t = extended_graph(field, is_hasty);
+      t = motorcycle_graph(field, is_hasty);
     BOOST_TEST_CONTEXT("seed " << seed)
     BOOST_TEST(internal::Squeezed_singularities(t).chains().empty());
     invariants::check_t_mesh(t);
@@ -175,9 +166,11 @@ BOOST_AUTO_TEST_CASE(does_not_touch_what_can_be_separated)
 {
   const QL::Cross_field field = QL::compute_cross_field(generated::cube(4));
   std::vector<char> is_hasty;
-  const QL::T_mesh t = extended_graph(field, is_hasty);
+  const QL::T_mesh t = motorcycle_graph(field, is_hasty);
   const internal::Squeezed_singularities squeezed(t);
   BOOST_TEST(squeezed.chains().empty());
   BOOST_TEST(!squeezed.release(is_hasty));
   BOOST_TEST(std::count(is_hasty.begin(), is_hasty.end(), 1) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

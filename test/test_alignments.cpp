@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE alignments
 #include "generated_fields.h"
 #include "generated_meshes.h"
 
@@ -21,6 +20,8 @@
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_alignments)
 
 namespace QL = CGAL::Quad_layouts;
 namespace internal = CGAL::Quad_layouts::internal;
@@ -120,3 +121,5 @@ BOOST_AUTO_TEST_CASE(locked_ones_have_no_offset)
   BOOST_TEST(locked > 50);
   BOOST_TEST(was_offset > 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

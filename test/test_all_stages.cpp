@@ -9,7 +9,6 @@
 //
 //   test_all_stages [OPTION OF BOOST.TEST]... -- [--first FIRST] [--runs N] [--seconds S]
 
-#define BOOST_TEST_MODULE all_stages
 #include <boost/test/unit_test.hpp>
 
 #include "all_stages.h"
@@ -24,6 +23,8 @@
 #include <iostream>
 #include <map>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_all_stages)
 
 namespace QL = CGAL::Quad_layouts;
 using all_stages::Results;
@@ -183,3 +184,5 @@ BOOST_AUTO_TEST_CASE(random_inputs)
   for (const auto& [name, count] : outcomes)
     std::cout << name << ": " << count << '\n';
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE borders
 #include <boost/test/unit_test.hpp>
 
 #include "generated_fields.h"
@@ -31,6 +30,8 @@
 #include <vector>
 
 // Surfaces with borders, on their way through all stages.
+
+BOOST_AUTO_TEST_SUITE(test_borders)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -189,3 +190,5 @@ BOOST_AUTO_TEST_CASE(layouts_of_random_fields)
                     .maximum_running_time(1));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -69,6 +69,7 @@ expect 2 "more than one input" cube.off cube.off
 expect 2 "unknown solver" cube.off --solver oracle
 expect 2 "time limit must be greater than 0" cube.off --time-limit 0
 expect 2 "unknown field method" cube.off --field-method guess
+expect 2 "unknown route" cube.off --route detour
 expect 2 "maximum_deviation" cube.off --alpha 200 --quiet
 expect 2 "write-field needs a file" cube.off --write-field field.txt --quiet
 expect 0 "" --help
@@ -132,7 +133,7 @@ for file in layout.obj layout_curves.obj quad_mesh.obj quad_mesh.vtp stats.json;
 done
 [ -z "$(find result -name '*.part')" ] || fail "temporary files remain"
 [ "$(grep -c '^g ' result/quad_mesh.obj)" = 6 ] || fail "a cube has six patches"
-for key in input vertices faces euler components borders singularities_in singularities_out patches \
+for key in input vertices faces euler components borders route singularities_in singularities_out patches \
            t_junctions quads msj_min msj_avg patches_floor t_mesh nodes arcs traces program variables \
            constraints indicators objective bound gap status rounds map triangles inverted \
            wrong_winding seconds field trace quantize extract embed quad_mesh smooth total; do
@@ -143,6 +144,11 @@ grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 pat
 # the other method for the field
 expect 0 "" cube.off --output rounded --edge-length 0.05 --field-method mixed-integer --quiet
 grep -q '"singularities_in": 8,' rounded/stats.json || fail "a rounded field on a cube has 8 singularities"
+
+# the other route
+expect 0 "" cube.off --output routed --edge-length 0.05 --route parametrization --quiet
+grep -q '"route": "parametrization"' routed/stats.json || fail "a cube has a parametrization"
+grep -q '"route": "field"' rounded/stats.json || fail "stats.json does not say the route"
 
 # fields of other tools
 for format in rosy rawfield ffield; do

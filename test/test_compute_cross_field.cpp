@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE compute_cross_field
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -25,6 +24,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_compute_cross_field)
 
 namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
@@ -539,3 +540,5 @@ BOOST_AUTO_TEST_CASE(real_meshes)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE compute_cross_field_openmesh
 #include <boost/test/unit_test.hpp>
 
 // OpenMesh appends points without a value to its vectors, and g++ sees it when it inlines.
@@ -27,6 +26,8 @@
 
 #include <tuple>
 
+BOOST_AUTO_TEST_SUITE(test_compute_cross_field_openmesh)
+
 namespace QL = CGAL::Quad_layouts;
 
 struct Double_traits : OpenMesh::DefaultTraits
@@ -48,3 +49,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(same_field_as_on_a_surface_mesh, OpenMesh_mesh, Me
   BOOST_TEST(field.index_sum() == 0);
   BOOST_TEST(field.number_of_singularities() == expected.number_of_singularities());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE cross_field_IO
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -18,6 +17,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_cross_field_IO)
 
 namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
@@ -185,3 +186,5 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused)
   expect(frame + "colours\n1\n", QL::FFIELD, "line 6: \"colours\" is no section");
   expect(frame + "matchings\n0 2 1 0 0 0\n", QL::FFIELD, "face 0 has other vertices");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

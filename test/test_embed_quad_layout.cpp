@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE embed_quad_layout
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -18,6 +17,8 @@
 #include <cmath>
 #include <map>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_embed_quad_layout)
 
 namespace QL = CGAL::Quad_layouts;
 using QL::Integer_grid_map;
@@ -156,3 +157,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters_are_refused)
         QL::embed_quad_layout(e.t_mesh, e.layout, QL::parameters::target_edge_length(h)),
         QL::Invalid_parameter);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

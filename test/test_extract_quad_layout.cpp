@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE extract_quad_layout
 #include <boost/test/unit_test.hpp>
 
 #include "hand_made_t_meshes.h"
@@ -14,6 +13,8 @@
 #include <algorithm>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_extract_quad_layout)
 
 namespace QL = CGAL::Quad_layouts;
 using QL::Quad_layout;
@@ -263,3 +264,5 @@ BOOST_AUTO_TEST_CASE(cuts_and_counts_agree)
   }
   BOOST_TEST(valid > 50);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

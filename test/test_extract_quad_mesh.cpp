@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE extract_quad_mesh
 #include <boost/test/unit_test.hpp>
 
 #include "hand_made_t_meshes.h"
@@ -24,6 +23,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_extract_quad_mesh)
 
 namespace QL = CGAL::Quad_layouts;
 using QL::Integer_grid_map;
@@ -267,3 +268,5 @@ BOOST_AUTO_TEST_CASE(segments_of_curves)
   BOOST_TEST(number_of_segments({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, 0) == 1);
   BOOST_TEST(number_of_segments({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 0.1) == 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE features
 #include <boost/test/unit_test.hpp>
 
 #include "generated_fields.h"
@@ -27,6 +26,8 @@
 #include <vector>
 
 // Feature curves, on their way through all stages.
+
+BOOST_AUTO_TEST_SUITE(test_features)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -304,3 +305,5 @@ BOOST_AUTO_TEST_CASE(junctions_stay_apart)
   const auto report = QL::internal::examine_quotient(t, length);
   BOOST_TEST(report.reason.find("junctions") == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE graph_traits_Halfedge_complex
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Quad_layouts/Quad_layout.h>
@@ -26,8 +25,11 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_graph_traits_Halfedge_complex)
+
 namespace QL = CGAL::Quad_layouts;
 namespace PMP = CGAL::Polygon_mesh_processing;
+using QL::edge; // a solver has a type of this name, too
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
@@ -44,7 +46,7 @@ namespace {
 
 // makes the complex of the unit cube with its six quadrilaterals
 template <class Complex>
-Complex cube()
+Complex make_cube()
 {
   const std::vector<std::array<int, 4>> quads = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -97,7 +99,7 @@ QL::Quad_layout smallest_torus()
 
 BOOST_AUTO_TEST_CASE(cube_as_a_graph)
 {
-  const auto cube = ::cube<QL::Quad_layout>();
+  const auto cube = make_cube<QL::Quad_layout>();
   BOOST_TEST(num_vertices(cube) == 8);
   BOOST_TEST(num_edges(cube) == 12);
   BOOST_TEST(num_halfedges(cube) == 24);
@@ -123,7 +125,7 @@ BOOST_AUTO_TEST_CASE(cube_as_a_graph)
 
 BOOST_AUTO_TEST_CASE(numbers_and_points)
 {
-  const auto cube = ::cube<QL::T_mesh>();
+  const auto cube = make_cube<QL::T_mesh>();
   std::size_t n = 0;
   for (const auto f : faces(cube))
     BOOST_TEST(get(get(CGAL::face_index, cube), f) == n++);
@@ -139,7 +141,7 @@ BOOST_AUTO_TEST_CASE(numbers_and_points)
 
 BOOST_AUTO_TEST_CASE(functions_of_CGAL_read_complexes)
 {
-  const auto cube = ::cube<QL::Quad_layout>();
+  const auto cube = make_cube<QL::Quad_layout>();
   Mesh mesh;
   CGAL::copy_face_graph(cube, mesh);
   BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
@@ -153,7 +155,7 @@ BOOST_AUTO_TEST_CASE(functions_of_CGAL_read_complexes)
 
 BOOST_AUTO_TEST_CASE(algorithms_of_Boost_read_complexes)
 {
-  const auto cube = ::cube<QL::Quad_layout>();
+  const auto cube = make_cube<QL::Quad_layout>();
   std::vector<int> distance(8);
   boost::dijkstra_shortest_paths(cube, *vertices(cube).begin(),
                                  boost::weight_map(boost::static_property_map<int>(1))
@@ -178,3 +180,5 @@ BOOST_AUTO_TEST_CASE(loops_are_allowed)
   BOOST_TEST(num_edges(mesh) == 2u);
   BOOST_TEST(num_faces(mesh) == 1u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

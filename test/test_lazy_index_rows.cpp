@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE lazy_index_rows
 #include "generated_meshes.h"
 #include "hand_made_t_meshes.h"
 
@@ -17,6 +16,8 @@
 #include <cmath>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_lazy_index_rows)
 
 namespace QL = CGAL::Quad_layouts;
 namespace internal = CGAL::Quad_layouts::internal;
@@ -132,3 +133,5 @@ BOOST_AUTO_TEST_CASE(quantizations_repeat_and_are_no_worse_than_the_start)
   BOOST_REQUIRE(start.start());
   BOOST_TEST(q.objective <= start.objective() * (1 + 1e-9));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

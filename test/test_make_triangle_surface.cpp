@@ -4,11 +4,11 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE make_triangle_surface
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
 
+#include <CGAL/Quad_layouts/internal/field/matching.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/internal/surface/separate_fixed_curves.h>
 
@@ -20,7 +20,10 @@
 #include <limits>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_make_triangle_surface)
+
 namespace QL = CGAL::Quad_layouts;
+using QL::internal::euler_characteristic;
 using QL::internal::make_checked_surface;
 using QL::internal::make_triangle_surface;
 using QL::internal::Triangle;
@@ -37,11 +40,6 @@ const double infinity = std::numeric_limits<double>::infinity();
 Triangle_surface surface_of(const Mesh& mesh)
 {
   return make_triangle_surface(mesh, get(CGAL::vertex_point, mesh));
-}
-
-int euler_characteristic(const Triangle_surface& s)
-{
-  return s.number_of_vertices() - s.number_of_edges() + s.number_of_faces();
 }
 
 const Points tetrahedron_points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -265,3 +263,5 @@ BOOST_AUTO_TEST_CASE(divided_surfaces)
     BOOST_TEST((divided.point(v) - sum / double(divided.parents(v).size())).norm() < 1e-12);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

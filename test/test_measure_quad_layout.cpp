@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE measure_quad_layout
 #include <boost/test/unit_test.hpp>
 
 #include "hand_made_t_meshes.h"
@@ -14,6 +13,8 @@
 
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_measure_quad_layout)
 
 namespace QL = CGAL::Quad_layouts;
 
@@ -69,3 +70,5 @@ BOOST_AUTO_TEST_CASE(interrupted_separatrix)
     }
   BOOST_TEST(QL::measure_quad_layout(layout).t_junctions == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

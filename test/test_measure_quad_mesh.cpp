@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE measure_quad_mesh
 
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 
@@ -20,6 +19,8 @@
 #include <filesystem>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_measure_quad_mesh)
 
 namespace QL = CGAL::Quad_layouts;
 using generated::Mesh;
@@ -187,3 +188,5 @@ BOOST_AUTO_TEST_CASE(meshes_of_cgal)
     BOOST_TEST(m.msj_average == e.msj_average, boost::test_tools::tolerance(1e-9));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE parameters
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Quad_layouts/parameters.h>
@@ -16,6 +15,8 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <functional>
+
+BOOST_AUTO_TEST_SUITE(test_parameters)
 
 namespace QL = CGAL::Quad_layouts;
 namespace np_tags = QL::internal_np;
@@ -119,3 +120,5 @@ BOOST_AUTO_TEST_CASE(functions_of_CGAL_take_our_packs)
   BOOST_TEST(CGAL::is_triangle_mesh(mesh));
   BOOST_TEST(PMP::volume(mesh, np) == 1., boost::test_tools::tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

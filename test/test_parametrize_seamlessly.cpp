@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE parametrize_seamlessly
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -14,11 +13,14 @@
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_parametrize_seamlessly)
 
 namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
@@ -56,6 +58,26 @@ double distortion(const Seamless_parametrization& map, double edge_length)
     result = (std::max)(result, std::abs(in_map * edge_length / map.surface().length(h) - 1));
   }
   return result;
+}
+
+// the first vertex that is accepted of those `distance` edges away from another one
+template <class Predicate>
+int first_in_ring(const Seamless_parametrization::Surface& surface, int center, int distance,
+                  const Predicate& accepts)
+{
+  std::vector<int> reached = {center}, edges(surface.number_of_vertices(), -1);
+  edges[center] = 0;
+  for (std::size_t i = 0;; ++i) {
+    const int v = reached.at(i);
+    if (edges[v] == distance && accepts(v))
+      return v;
+    surface.for_each_outgoing(v, [&](int h) {
+      if (edges[surface.target(h)] < 0) {
+        edges[surface.target(h)] = edges[v] + 1;
+        reached.push_back(surface.target(h));
+      }
+    });
+  }
 }
 
 QL::Cross_field field_along_features(Mesh& mesh)
@@ -203,6 +225,38 @@ BOOST_AUTO_TEST_CASE(inverted_triangles_are_turned_back)
   checked_map(field, 0.05);
 }
 
+// A vertex of valence 5 that has lost a full turn, which a regular one has in excess: the map has no inverted
+// triangle then, and yet must be repaired.
+BOOST_AUTO_TEST_CASE(wrong_windings_are_repaired)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::slab_with_holes(2, 4));
+  const auto& surface = field.surface();
+  std::vector<double> angles;
+  std::vector<signed char> matchings;
+  std::vector<int> indices;
+  for (int f = 0; f < surface.number_of_faces(); ++f)
+    angles.push_back(field.angle(f));
+  for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    matchings.push_back(static_cast<signed char>(field.matching(h)));
+  for (int v = 0; v < surface.number_of_vertices(); ++v)
+    indices.push_back(field.index(v));
+  const int five = int(std::find(indices.begin(), indices.end(), -1) - indices.begin());
+  BOOST_TEST_REQUIRE(five < surface.number_of_vertices());
+  const int regular = first_in_ring(surface, five, 3, [&](int v) { return indices[v] == 0; });
+  indices[five] += 4;
+  indices[regular] -= 4;
+  const QL::Cross_field wrong(field.surface_pointer(), angles, matchings, indices);
+
+  const QL::internal::Monitor monitor;
+  QL::internal::Seamless_optimization optimization(field, 0.1, 100, monitor);
+  optimization.align_with_rosettes(wrong, {five, regular});
+  const Seamless_parametrization map = optimization.result();
+  BOOST_TEST(map.inverted == 0);
+  BOOST_TEST(map.wrong_winding == 2);
+  optimization.repair_windings();
+  check(optimization.result());
+}
+
 BOOST_AUTO_TEST_CASE(lengths_scale)
 {
   const QL::Cross_field field = QL::compute_cross_field(generated::icosphere(3));
@@ -275,3 +329,5 @@ BOOST_AUTO_TEST_CASE(real_meshes)
     check(QL::parametrize_seamlessly(QL::compute_cross_field(mesh)));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

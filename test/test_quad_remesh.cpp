@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE quad_remesh
 #include <boost/test/unit_test.hpp>
 
 #include "generated_meshes.h"
@@ -19,6 +18,8 @@
 
 #include <functional>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_quad_remesh)
 
 namespace QL = CGAL::Quad_layouts;
 using Polyhedron = CGAL::Polyhedron_3<generated::Kernel>;
@@ -116,3 +117,5 @@ BOOST_AUTO_TEST_CASE(nothing_is_left_where_it_fails)
   BOOST_CHECK_THROW(QL::quad_remesh(generated::Mesh(), quads), QL::Empty_mesh);
   BOOST_TEST(num_faces(quads) == 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

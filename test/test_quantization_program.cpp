@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE quantization_program
 #include "generated_meshes.h"
 
 #include <CGAL/Quad_layouts/IO/quantization_program.h>
@@ -20,6 +19,8 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_quantization_program)
 
 namespace QL = CGAL::Quad_layouts;
 namespace parameters = CGAL::Quad_layouts::parameters;
@@ -122,3 +123,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_solution_is_refused)
   BOOST_CHECK_THROW(QL::IO::read_quantization(in, t, parameters::maximum_deviation(-1.)),
                     QL::Invalid_parameter);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

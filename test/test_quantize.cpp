@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE quantize
 #include "generated_fields.h"
 #include "generated_meshes.h"
 #include "hand_made_t_meshes.h"
@@ -25,6 +24,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_quantize)
 
 namespace QL = CGAL::Quad_layouts;
 namespace internal = CGAL::Quad_layouts::internal;
@@ -313,5 +314,7 @@ BOOST_AUTO_TEST_CASE(takes_any_solver)
   BOOST_TEST(q.objective == 12);
   BOOST_TEST(q.gap() == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE quantize_exhaustively
 #include "exhaustive_search.h"
 
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
@@ -15,6 +14,8 @@
 #include <limits>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_quantize_exhaustively)
 
 using namespace exhaustive_search;
 
@@ -128,3 +129,5 @@ BOOST_AUTO_TEST_CASE(valid_quantizations_make_layouts)
   BOOST_TEST(layouts > 100);
   BOOST_TEST(merged > 100);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

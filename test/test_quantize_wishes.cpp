@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE quantize_wishes
 #include "exhaustive_search.h"
 #include "hand_made_t_meshes.h"
 
@@ -26,6 +25,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_quantize_wishes)
 
 using namespace exhaustive_search;
 
@@ -525,5 +526,7 @@ BOOST_AUTO_TEST_CASE(of_what_is_written_and_read)
   BOOST_TEST(QL::IO::read_quantization(separate, t, wished).objective == 8);
   BOOST_CHECK_THROW(QL::IO::read_quantization(again, t, wished), QL::Stage_failure);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

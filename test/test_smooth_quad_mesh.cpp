@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE smooth_quad_mesh
 
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
@@ -18,6 +17,8 @@
 #include <cmath>
 #include <functional>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(test_smooth_quad_mesh)
 
 namespace QL = CGAL::Quad_layouts;
 using generated::Mesh;
@@ -240,3 +241,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_smoothed)
                     QL::Cancelled);
   BOOST_TEST(squared_distance(quads, before) == 0.);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE visitor
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Quad_layouts/visitor.h>
@@ -13,6 +12,8 @@
 #include <functional>
 #include <memory>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_visitor)
 
 namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
@@ -36,6 +37,7 @@ struct Diary : QL::Default_visitor
   {
     *text += std::to_string(int(objective)) + "/" + std::to_string(int(bound));
   }
+  void changed_route(const char* reason) { *text += std::string("(") + reason + ")"; }
   bool go_on() { return --patience >= 0; }
 };
 
@@ -47,6 +49,7 @@ int work(const NamedParameters& np)
   return monitor.run("b", [&] {
     monitor.improved(9, 8, 0.1);
     monitor.report("b", 1);
+    monitor.changed_route("c");
     return 42;
   });
 }
@@ -63,7 +66,7 @@ BOOST_AUTO_TEST_CASE(visitor_by_reference)
 {
   Diary diary;
   BOOST_TEST(work(params::visitor(std::ref(diary)).maximum_deviation(20)) == 42);
-  BOOST_TEST(*diary.text == "<a.a><b9/8!b>");
+  BOOST_TEST(*diary.text == "<a.a><b9/8!(c)b>");
   BOOST_TEST(diary.patience == 96); // asked before each of two stages, and at each report
 }
 
@@ -71,7 +74,7 @@ BOOST_AUTO_TEST_CASE(visitor_by_value)
 {
   const Diary diary;
   BOOST_TEST(work(CGAL::parameters::visitor(diary)) == 42);
-  BOOST_TEST(*diary.text == "<a.a><b9/8!b>");
+  BOOST_TEST(*diary.text == "<a.a><b9/8!(c)b>");
   BOOST_TEST(diary.patience == 100);
 }
 
@@ -102,3 +105,5 @@ BOOST_AUTO_TEST_CASE(visitor_stops_the_work)
   BOOST_CHECK_THROW(work(params::visitor(std::ref(diary))), QL::Cancelled);
   BOOST_TEST(*diary.text == "<a.a><b9/8!");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#define BOOST_TEST_MODULE zero_half_cuts
 #include <CGAL/Quad_layouts/internal/quantization/zero_half_cuts.h>
 
 #include <boost/test/unit_test.hpp>
@@ -15,6 +14,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_zero_half_cuts)
 
 namespace internal = CGAL::Quad_layouts::internal;
 using internal::Integer_row;
@@ -118,3 +119,5 @@ BOOST_AUTO_TEST_CASE(cuts_keep_all_integer_solutions)
   }
   BOOST_TEST(found > 200);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

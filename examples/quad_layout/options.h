@@ -30,6 +30,7 @@ struct Options
   std::string solution;        // to read
   std::string solver = "glpk"; // or "cbc" or "highs"
   std::string field_method = "diffusion"; // or "mixed-integer"
+  std::string route = "field";            // or "parametrization"
   double alpha = 15;           // degrees
   double displacement = 2;     // target edge lengths
   double edge_length = 0.01;   // of the diagonal of the bounding box
@@ -49,7 +50,7 @@ inline const char* usage()
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
          "                         [--solver NAME] [--search-limit S] [--time-limit S]\n"
          "                         [--field FILE] [--field-method NAME] [--write-field FILE]\n"
-         "                         [--features DEG] [--repair]\n"
+         "                         [--route NAME] [--features DEG] [--repair]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
          "Computes a simple quad layout of a triangle mesh, and a quad mesh on it.\n"
@@ -68,6 +69,8 @@ inline const char* usage()
          "  --field FILE           a cross field: .rosy, .rawfield or .ffield, or else a line \"x y z\"\n"
          "                         for each face\n"
          "  --field-method NAME    of smooth fields: diffusion or mixed-integer (diffusion)\n"
+         "  --route NAME           what layout lines follow: the field, or a seamless parametrization\n"
+         "                         if one is found: field or parametrization (field)\n"
          "  --write-field FILE     where to write the field, as .rosy, .rawfield or .ffield\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"
          "  --repair               first make an oriented manifold of triangles of the input\n"
@@ -142,6 +145,7 @@ inline Options parse(int argc, char* argv[])
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
       {"--field-method", text(result.field_method)},
+      {"--route", text(result.route)},
       {"--write-field", text(result.written_field)},
       {"--features", real(result.features)},
       {"--write-program", text(result.program)},
@@ -175,6 +179,8 @@ inline Options parse(int argc, char* argv[])
   if (result.field_method != "diffusion" && result.field_method != "mixed-integer")
     throw Usage_error("unknown field method " + result.field_method +
                       ": there are diffusion and mixed-integer");
+  if (result.route != "field" && result.route != "parametrization")
+    throw Usage_error("unknown route " + result.route + ": there are field and parametrization");
   if (!(result.features >= 0) || result.features > 180)
     throw Usage_error("--features needs an angle from 0 to 180 degrees");
   return result;

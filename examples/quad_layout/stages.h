@@ -12,6 +12,7 @@
 
 #include <CGAL/Quad_layouts/IO/quantization_program.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_mesh.h>
@@ -20,7 +21,6 @@
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
-#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 #include <CGAL/Quad_layouts/visitor.h>
 #ifdef CGAL_USE_CBC
 #include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
@@ -44,7 +44,7 @@
 
 namespace QL = CGAL::Quad_layouts;
 
-// tells on the standard error stream how the integer program gets on
+// tells on the standard error stream how the work gets on
 struct Progress : QL::Default_visitor
 {
   bool quiet = false;
@@ -55,6 +55,11 @@ struct Progress : QL::Default_visitor
       std::cerr << "  objective " << objective << ", bound " << bound << " after " << std::fixed
                 << std::setprecision(1) << seconds << " s\n"
                 << std::defaultfloat << std::setprecision(6);
+  }
+  void changed_route(const char* reason)
+  {
+    if (!quiet)
+      std::cerr << "  by the route field, because of " << reason << '\n';
   }
 };
 
@@ -211,6 +216,8 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                       .target_edge_length(target)
                       .minimum_valence(options.min_valence)
                       .maximum_valence(options.max_valence)
+                      .layout_route(options.route == "parametrization" ? QL::PARAMETRIZATION
+                                                                       : QL::FIELD)
                       .visitor(std::ref(progress));
   const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
   const auto search = [&] {
@@ -230,7 +237,7 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                                                   clock.seconds_left()); });
   if (!options.written_field.empty())
     write_field(options.written_field, r.field);
-  r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(r.field, limited()); });
+  r.t_mesh = clock("trace", [&] { return QL::compute_t_mesh(r.field, limited()); });
   if (!options.program.empty())
     write_program(options.program, r.t_mesh, np);
   r.quantization = clock("quantize", [&] {

@@ -14,6 +14,7 @@
 #include <CGAL/Quad_layouts/Mixed_integer_program_traits_adaptor.h>
 #include <CGAL/Quad_layouts/arc_weights.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>

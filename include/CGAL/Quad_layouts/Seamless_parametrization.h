@@ -46,7 +46,10 @@ public:
   /// face of `h`.
   const Point_2& coordinates(int h) const { return corner_coordinates[h]; }
   /// returns the same in target edge lengths.
-  Eigen::Vector2d point(int h) const { return unit * corner_coordinates[h].cast<double>(); }
+  Eigen::Vector2d point(int h) const
+  {
+    return unit / edge_length * corner_coordinates[h].cast<double>();
+  }
   /// returns the change from the chart of the face of `h` to the chart of the face on the other side; the
   /// identity on the border.
   const Transition& transition(int h) const { return halfedge_transition[h]; }
@@ -57,7 +60,8 @@ public:
   /// \name The arrays
   /// @{
   std::shared_ptr<const Surface> surface_pointer;
-  double unit = 1; ///< a power of two: the length of an integer step, in target edge lengths
+  double unit = 1; ///< a power of two: the length of an integer step, like lengths on the surface
+  double edge_length = 1; ///< the target edge length
   std::vector<Point_2> corner_coordinates;
   std::vector<Transition> halfedge_transition;
   std::vector<int> vertex_index; ///< of the field, in quarters: cones are where it is not 0

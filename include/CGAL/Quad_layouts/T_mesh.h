@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_T_MESH_H
 
 #include <CGAL/Quad_layouts/Halfedge_complex.h>
+#include <CGAL/Quad_layouts/Layout_route.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
 #include <array>
@@ -109,8 +110,9 @@ public:
   /// \name The arrays
   /// @{
   std::shared_ptr<const Surface> surface_pointer;
+  Layout_route route = FIELD; ///< what the traces run in
   std::vector<double>
-      arc_length; ///< in the metric of the field; for a unit field, length on the surface
+      arc_length; ///< on the surface; by the route `PARAMETRIZATION` in the map, and exact
   std::vector<int> arc_trace;
   std::vector<char> halfedge_is_corner;
   std::vector<int> node_surface_vertex;

@@ -10,17 +10,10 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Reduced_newton.h>
-#include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
-#include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
-#include <CGAL/Quad_layouts/internal/parametrization/exact_parametrization.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Seamless_optimization.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
-
-#include <string>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -31,20 +24,10 @@ inline Seamless_parametrization seamless_parametrization(const Cross_field& fiel
                                                          double edge_length, int most_steps,
                                                          const Monitor& monitor)
 {
-  constexpr double barrier = 0.1;
-  const Cut_graph cut(field);
-  const Seam_constraints seams(field.surface(), cut);
-  Aligned_energy energy(field.surface(), cut, seams, edge_length);
-  Reduced_newton newton(seams, energy);
-  newton.align();
-  newton.untangle(barrier, most_steps, monitor);
-  Seamless_parametrization result = exact_parametrization(field, cut, seams, newton.coordinates());
-  const std::string error = inexactness(result);
-  if (!error.empty())
-    throw Stage_failure("parametrize_seamlessly: " + error);
-  result.inverted = number_of_inverted_faces(result);
-  result.wrong_winding = number_of_wrong_windings(result);
-  return result;
+  Seamless_optimization optimization(field, edge_length, most_steps, monitor);
+  optimization.align();
+  optimization.repair_windings();
+  return optimization.result();
 }
 
 } // namespace internal
@@ -61,7 +44,9 @@ of each cut are equal up to quarter-turns and translations. These are real, not 
 parametrization is seamless, but no integer-grid map. Fixed edges of the field's surface get a constant
 coordinate. Then inverted triangles are turned back by the regularized
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
-unknowns of the seamless maps, so that the map stays seamless. At last coordinates are rounded to
+unknowns of the seamless maps, so that the map stays seamless. Vertices of valence 5 and more around which
+triangles cover the wrong angle get their triangles spread over the right one first, and then the same is
+done again. At last coordinates are rounded to
 integer multiples of a power of two that satisfy all relations exactly (Mandad and Campen, <em>Exact
 constraint satisfaction for truly seamless parametrization</em>, 2019), which is verified in integers.
 
@@ -87,6 +72,11 @@ field and mesh, and not every one that there is will be found.
     \cgalParamDefault{`100`}
     \cgalParamExtra{It must be positive.}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{when to give up, in seconds}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{unlimited}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told the progress, and can stop the work}
     \cgalParamType{a class like `Default_visitor`}
@@ -97,6 +87,7 @@ field and mesh, and not every one that there is will be found.
 \throw Invalid_parameter if a parameter is out of its range.
 \throw Stage_failure if the system of equations cannot be solved, or the relations need numbers that are
        too large.
+\throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
 The time is dominated by one sparse factorization for each step.

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/arc_weights.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_mesh.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
-#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 
@@ -52,8 +52,7 @@ T_mesh t_mesh_of(const TriangleMesh& tm, const Time_budget& budget, const NamedP
 {
   const Cross_field field = compute_cross_field(
       tm, with_time_limit(np, budget.left_for("compute_cross_field")));
-  return trace_motorcycle_graph(field,
-                                with_time_limit(np, budget.left_for("trace_motorcycle_graph")));
+  return compute_t_mesh(field, with_time_limit(np, budget.left_for("trace_motorcycle_graph")));
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -106,7 +105,7 @@ auto with_edge_map(Edges& on_curve, const NamedParameters& np)
 
 computes a simple quad layout of a triangle mesh: few four-sided patches, without T-joints.
 
-It runs `compute_cross_field()`, `trace_motorcycle_graph()`, `quantize()` and
+It runs `compute_cross_field()`, `compute_t_mesh()`, `quantize()` and
 `extract_quad_layout()`, and passes `np` to each of them. The layout is appended to `out` as a mesh
 of quadrilaterals with straight edges. A patch may be several faces long. Coarse layouts can have
 loops and several edges between two vertices, which not every function on meshes expects.
@@ -119,8 +118,8 @@ loops and several edges between two vertices, which not every function on meshes
 \param tm the surface
 \param out the mesh that the layout is added to
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
-          `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-          `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
+          `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
+          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
           of which the integer program gets 30 seconds at most; and `face_weight_map`, which says how
           dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
@@ -158,8 +157,8 @@ them.
 \param tm the surface
 \param out the mesh that the quadrilaterals are stored in; it must be empty
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
-          `maximum_displacement`, `target_edge_length`, `minimum_valence`, `maximum_valence`,
-          `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
+          `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
+          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is for all stages together,
           of which the integer program gets 30 seconds at most; and `face_weight_map`, which says how
           dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:

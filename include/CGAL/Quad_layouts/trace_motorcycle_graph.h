@@ -8,10 +8,12 @@
 #define CGAL_QUAD_LAYOUTS_TRACE_MOTORCYCLE_GRAPH_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/Deviation_limits.h>
 #include <CGAL/Quad_layouts/internal/tracing/trace_in_field.h>
+#include <CGAL/Quad_layouts/internal/tracing/trace_in_parametrization.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
@@ -109,6 +111,42 @@ T_mesh trace_motorcycle_graph(const Cross_field& field,
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("trace_motorcycle_graph", [&] {
     return internal::trace_in_field(field, limits.tangent, limits.displacement, monitor);
+  });
+}
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+traces an extended motorcycle graph in a seamless parametrization, along lines of constant coordinates.
+
+Motorcycles start at the cones, and stop by the same rule as in a cross field. Their lengths are those in
+the map: integer multiples of its unit, and exact, so that opposite sides of each patch have exactly the
+same length. Integers alone decide which way lines take, which are crossed first, and where they meet.
+
+Lines that run through a vertex, along an edge or over another line, as they do on symmetric surfaces, are
+decided by one rule: all lines are turned right by the same infinitesimal angle. So they pass all vertices
+on their right, cones included, and a node may be at distance 0 from others.
+`quantize()` can be told by `lock_alignments` to keep such cones on one line.
+
+@tparam NamedParameters a sequence of named parameters
+
+@param map a seamless parametrization, which must be locally injective
+@param np an optional sequence of the same named parameters as for cross fields
+
+@throw Invalid_parameter if a parameter is out of its range.
+@throw Stage_failure if the parametrization is not locally injective, or if the result is not a partition
+       into discs with four corners the opposite sides of which have equal lengths; this is always checked.
+@throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
+@throw Cancelled if the visitor asks to stop.
+*/
+template <class NamedParameters = parameters::Default_named_parameters>
+T_mesh trace_motorcycle_graph(const Seamless_parametrization& map,
+                              const NamedParameters& np = parameters::default_values())
+{
+  const internal::Deviation_limits limits = internal::deviation_limits(map.surface(), np);
+  const internal::Monitor monitor = internal::monitor_from(np);
+  return monitor.run("trace_motorcycle_graph", [&] {
+    return internal::trace_in_parametrization(map, limits.tangent, limits.displacement, monitor);
   });
 }
 

@@ -38,6 +38,8 @@ struct Default_visitor
   /// is called when the integer program has a better solution or a better bound, `seconds` after
   /// its start.
   void improved(double /* objective */, double /* bound */, double /* seconds */) {}
+  /// is called when there is a `reason` to go on by another `Layout_route` than the one asked for.
+  void changed_route(const char* /* reason */) {}
   /// says whether the work shall go on; if not, it ends with the exception `Cancelled`.
   bool go_on() { return true; }
 };
@@ -55,6 +57,7 @@ Monitor make_monitor(const std::shared_ptr<Visitor>& visitor)
   callbacks.improved = [visitor](double objective, double bound, double seconds) {
     visitor->improved(objective, bound, seconds);
   };
+  callbacks.changed_route = [visitor](const char* reason) { visitor->changed_route(reason); };
   callbacks.go_on = [visitor] { return visitor->go_on(); };
   return Monitor(std::move(callbacks));
 }

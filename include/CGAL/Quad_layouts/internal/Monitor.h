@@ -38,6 +38,7 @@ public:
     std::function<void(const char* stage, double seconds)> after_stage;
     Report progress;
     std::function<void(double objective, double bound, double seconds)> improved;
+    std::function<void(const char* reason)> changed_route;
     Go_on go_on;
   };
 
@@ -101,6 +102,13 @@ public:
   {
     if (m_callbacks.improved)
       m_callbacks.improved(objective, bound, seconds);
+  }
+
+  // reports that another route than the one asked for is taken
+  void changed_route(const char* reason) const
+  {
+    if (m_callbacks.changed_route)
+      m_callbacks.changed_route(reason);
   }
 
   // returns what `work` returns, having told the visitor when the work, called `stage`, begins and

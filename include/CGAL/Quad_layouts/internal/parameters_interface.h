@@ -13,6 +13,7 @@ CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(curvature_alignment)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(diffusion_time)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(face_direction_map)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(face_constraint_map)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(layout_route)
 
 // of tracing, quantization and everything that measures in target edge lengths
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(maximum_deviation)

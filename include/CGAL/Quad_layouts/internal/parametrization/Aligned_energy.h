@@ -34,7 +34,8 @@ namespace internal {
 //
 // J being the Jacobian in the coordinates of the chart, in units of the target edge length. The first part
 // is that of Bommes, Zimmer and Kobbelt (2009): the map follows the field, with the target edge length. The
-// second part keeps triangles from being inverted, or turns them back.
+// second part keeps triangles from being inverted, or turns them back. For some triangles another J than 1 can
+// be demanded, which then counts more than all else.
 class Aligned_energy
 {
 public:
@@ -65,13 +66,31 @@ public:
     m_epsilon = epsilon;
   }
 
+  // demands a shape of face f, given by its corners
+  void demand(int f, const std::array<Point2, 3>& corners)
+  {
+    constexpr double emphasis = 100;
+    Face& face = m_faces[f];
+    face.target = jacobian(face, corners);
+    face.emphasis = emphasis;
+  }
+
+  // takes back all demands
+  void release()
+  {
+    for (Face& face : m_faces) {
+      face.target = Eigen::Matrix2d::Identity();
+      face.emphasis = 1;
+    }
+  }
+
   double value(const Eigen::VectorXd& x) const
   {
     const Regularized_distortion distortion(m_epsilon);
     double sum = 0;
     for (const Face& face : m_faces) {
       const Eigen::Matrix2d j = jacobian(face, x);
-      sum += face.area * (j - Eigen::Matrix2d::Identity()).squaredNorm();
+      sum += face.area * face.emphasis * (j - face.target).squaredNorm();
       if (m_barrier > 0)
         sum += face.area * m_barrier * distortion.value(j);
     }
@@ -88,7 +107,7 @@ public:
     for (const Face& face : m_faces) {
       Eigen::Vector4d by_j;
       Eigen::Matrix4d by_j_twice;
-      derivatives_by_jacobian(jacobian(face, x), by_j, by_j_twice);
+      derivatives_by_jacobian(face, jacobian(face, x), by_j, by_j_twice);
       Eigen::Matrix<double, 4, 6> corners = Eigen::Matrix<double, 4, 6>::Zero();
       for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 2; ++i)
@@ -129,6 +148,8 @@ private:
     std::array<int, 6> unknown;   // the coordinates of the corners
     std::array<Point2, 3> weight; // the row vectors whose products with the corners sum to J
     double area;                  // in squared target edge lengths
+    Eigen::Matrix2d target = Eigen::Matrix2d::Identity(); // that J is to be near to
+    double emphasis = 1;                                  // of that
   };
 
   static std::array<Point2, 3> corners(const Face& face, const Eigen::VectorXd& x)
@@ -141,15 +162,19 @@ private:
 
   static Eigen::Matrix2d jacobian(const Face& face, const Eigen::VectorXd& x)
   {
-    const std::array<Point2, 3> p = corners(face, x);
+    return jacobian(face, corners(face, x));
+  }
+
+  static Eigen::Matrix2d jacobian(const Face& face, const std::array<Point2, 3>& p)
+  {
     Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
     for (int k = 0; k < 3; ++k)
       result += p[k] * face.weight[k].transpose();
     return result;
   }
 
-  void derivatives_by_jacobian(const Eigen::Matrix2d& j, Eigen::Vector4d& gradient,
-                               Eigen::Matrix4d& hessian) const
+  void derivatives_by_jacobian(const Face& face, const Eigen::Matrix2d& j,
+                               Eigen::Vector4d& gradient, Eigen::Matrix4d& hessian) const
   {
     gradient.setZero();
     hessian.setZero();
@@ -159,8 +184,9 @@ private:
       hessian *= m_barrier;
       Distortion::make_positive(hessian);
     }
-    gradient += 2 * Eigen::Vector4d(j(0, 0) - 1, j(1, 0), j(0, 1), j(1, 1) - 1);
-    hessian.diagonal().array() += 2;
+    const Eigen::Matrix2d difference = 2 * face.emphasis * (j - face.target);
+    gradient += Eigen::Map<const Eigen::Vector4d>(difference.data()); // in column order
+    hessian.diagonal().array() += 2 * face.emphasis;
   }
 
   std::vector<Face> m_faces;

@@ -8,8 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_CHECK_PARAMETRIZATION_H
 
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
+#include <CGAL/Quad_layouts/internal/parametrization/Integer_128.h>
 
 #include <cmath>
 #include <string>
@@ -19,8 +18,6 @@ namespace Quad_layouts {
 namespace internal {
 
 // These functions know a parametrization only, not how it was made.
-
-using Integer_128 = boost::multiprecision::int128_t;
 
 // twice the area of face f in the map, in squared units
 inline Integer_128 area_in_map(const Seamless_parametrization& map, int f)

@@ -22,13 +22,14 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A power of two so small that coordinates take as many bits as exact predicates leave: products of two
-// differences fit into 128 bits, also those of sums of some coordinates.
-inline double unit_for(const Eigen::VectorXd& x)
+// A power of two so small that coordinates, of which `largest` is the largest, take as many bits as exact
+// arithmetic leaves: lines hundreds of times as long have lengths that are exact as `double`, and sums of
+// products of these fit into 128 bits.
+inline double unit_for(double largest)
 {
-  constexpr int bits = 48;
+  constexpr int bits = 44;
   int exponent = 0;
-  std::frexp(x.cwiseAbs().maxCoeff(), &exponent);
+  std::frexp(largest, &exponent);
   return std::ldexp(1., exponent - bits);
 }
 
@@ -37,7 +38,7 @@ inline double unit_for(const Eigen::VectorXd& x)
 inline std::vector<std::int64_t> rounded_unknowns(const Seam_constraints& seams,
                                                   const Eigen::VectorXd& x, double unit)
 {
-  constexpr std::int64_t largest_denominator = std::int64_t(1) << 16; // leaves 32 bits of precision
+  constexpr std::int64_t largest_denominator = std::int64_t(1) << 16; // leaves 28 bits of precision
   const Linear_relations& relations = seams.relations();
   const std::int64_t denominator = relations.common_denominator();
   if (denominator > largest_denominator)
@@ -54,17 +55,19 @@ inline std::vector<std::int64_t> rounded_unknowns(const Seam_constraints& seams,
   return result;
 }
 
-// the parametrization with coordinates near to x, without the counts of what is wrong
+// the parametrization with coordinates near to x, which are in target edge lengths; without the counts of
+// what is wrong
 inline Seamless_parametrization exact_parametrization(const Cross_field& field,
                                                       const Cut_graph& cut,
                                                       const Seam_constraints& seams,
-                                                      const Eigen::VectorXd& x)
+                                                      const Eigen::VectorXd& x, double edge_length)
 {
   const Triangle_surface& surface = field.surface();
   Seamless_parametrization result;
   result.surface_pointer = field.surface_pointer();
-  result.unit = unit_for(x);
-  const std::vector<std::int64_t> rounded = rounded_unknowns(seams, x, result.unit);
+  result.edge_length = edge_length;
+  result.unit = unit_for(x.cwiseAbs().maxCoeff() * edge_length);
+  const std::vector<std::int64_t> rounded = rounded_unknowns(seams, x, result.unit / edge_length);
   for (int h = 0; h < surface.number_of_halfedges(); ++h)
     result.corner_coordinates.emplace_back(rounded[seams.unknown(h, 0)],
                                            rounded[seams.unknown(h, 1)]);

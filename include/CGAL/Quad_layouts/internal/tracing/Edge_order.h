@@ -38,8 +38,30 @@ public:
     const auto first = after < 0 ? list.begin() : locate(after) + 1;
     const auto last = before < 0 ? list.end() : locate(before);
     CGAL_assertion(first <= last);
-    const auto place =
-      std::upper_bound(first, last, t, [&](double u, int p) { return u < m_t[p]; });
+    return insert_at(std::upper_bound(first, last, t, [&](double u, int p) { return u < m_t[p]; }),
+                     edge, t);
+  }
+
+  // adds a point to the list of `edge`, behind those that come before it
+  template <class ComesBefore>
+  int insert(int edge, double t, ComesBefore&& comes_before)
+  {
+    auto& list = m_points[edge];
+    return insert_at(std::partition_point(list.begin(), list.end(), comes_before), edge, t);
+  }
+
+  int number_of_points() const { return int(m_t.size()); }
+  int edge(int point) const { return m_edge[point]; }
+  // the parameter along the canonical halfedge of the edge
+  double t(int point) const { return m_t[point]; }
+  // a number that grows strictly along the list; an insertion may change the ranks, not their order
+  Rank rank(int point) const { return m_rank[point]; }
+  const std::vector<int>& points(int edge) const { return m_points[edge]; }
+
+private:
+  int insert_at(std::vector<int>::iterator place, int edge, double t)
+  {
+    auto& list = m_points[edge];
     const double low = place == list.begin() ? 0 : m_t[*(place - 1)];
     const double high = place == list.end() ? 1 : m_t[*place];
     const int point = int(m_t.size());
@@ -52,15 +74,6 @@ public:
     return point;
   }
 
-  int number_of_points() const { return int(m_t.size()); }
-  int edge(int point) const { return m_edge[point]; }
-  // the parameter along the canonical halfedge of the edge
-  double t(int point) const { return m_t[point]; }
-  // a number that grows strictly along the list; an insertion may change the ranks, not their order
-  Rank rank(int point) const { return m_rank[point]; }
-  const std::vector<int>& points(int edge) const { return m_points[edge]; }
-
-private:
   // moves t into the open interval from low to high, as far as numbers allow; chords that share an
   // end have no clear crossing
   static double strictly_between(double low, double t, double high)

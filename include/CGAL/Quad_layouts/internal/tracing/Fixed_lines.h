@@ -7,7 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_FIXED_LINES_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_FIXED_LINES_H
 
-#include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
+#include <CGAL/Quad_layouts/internal/tracing/Chords.h>
 
 #include <vector>
 
@@ -19,9 +19,10 @@ namespace internal {
 class Fixed_lines
 {
 public:
-  Fixed_lines(const Triangle_surface& surface, const std::vector<int>& starts)
-    : m_surface(&surface), m_length_ahead(surface.number_of_halfedges(), 0)
+  Fixed_lines(const Chords& chords, const std::vector<int>& starts)
+    : m_chords(&chords), m_length_ahead(chords.surface().number_of_halfedges(), 0)
   {
+    const Triangle_surface& surface = chords.surface();
     std::vector<char> is_start(surface.number_of_vertices(), 0);
     for (int v : starts)
       is_start[v] = 1;
@@ -41,9 +42,9 @@ private:
   {
     double length = 0;
     for (;; h = previous(h)) {
-      length += m_surface->length(h);
+      length += m_chords->length(h);
       m_length_ahead[h] = length;
-      if (is_start[m_surface->source(h)])
+      if (is_start[m_chords->surface().source(h)])
         return;
     }
   }
@@ -52,14 +53,14 @@ private:
   int previous(int h) const
   {
     int result = -1;
-    m_surface->for_each_outgoing(m_surface->source(h), [&](int g) {
-      if (m_surface->is_fixed(g) && g != h)
-        result = m_surface->opposite(g);
+    m_chords->surface().for_each_outgoing(m_chords->surface().source(h), [&](int g) {
+      if (m_chords->surface().is_fixed(g) && g != h)
+        result = m_chords->surface().opposite(g);
     });
     return result;
   }
 
-  const Triangle_surface* m_surface;
+  const Chords* m_chords;
   std::vector<double> m_length_ahead; // per halfedge
 };
 

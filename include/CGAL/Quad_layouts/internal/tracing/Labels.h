@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_LABELS_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/Seamless_parametrization.h>
 
 #include <cmath>
 #include <vector>
@@ -44,6 +45,19 @@ public:
         set(h, quadrant_of_normal(field, h));
       if (g >= 0)
         m_label[g] = static_cast<signed char>((m_label[h] + 4 + 2 * field.matching(h)) & 7);
+    }
+  }
+
+  // reads the labels off a parametrization, whose charts have the directions of the axes. Where edges run
+  // along these, directions are those of the axes turned right infinitesimally, as isolines are.
+  explicit Labels(const Seamless_parametrization& map)
+    : m_surface(&map.surface()), m_label(map.surface().number_of_halfedges())
+  {
+    for (int h = 0; h < m_surface->number_of_halfedges(); ++h) {
+      const auto vector = map.coordinates(Surface::next(h)) - map.coordinates(h);
+      set(h, quadrant_of(vector.y(), -vector.x()));
+      if (m_surface->is_fixed(h))
+        --m_label[h];
     }
   }
 
@@ -134,6 +148,16 @@ private:
   {
     const double normal = field.surface().halfedge_angle(h) - right_angle;
     return int(std::lround((normal - field.angle(Surface::face(h))) / right_angle)) & 3;
+  }
+
+  // the axes themselves are in the quadrant behind them
+  static int quadrant_of(Seamless_parametrization::Integer x, Seamless_parametrization::Integer y)
+  {
+    if (x > 0 && y >= 0)
+      return 0;
+    if (x <= 0 && y > 0)
+      return 1;
+    return x < 0 ? 2 : 3;
   }
 
   static int quadrant_of_normal(const Cross_field& field, int h)

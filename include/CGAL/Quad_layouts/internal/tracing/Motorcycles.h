@@ -67,10 +67,10 @@ public:
   Motorcycles(Chords& chords, const Rule& rule, const std::vector<int>& vertices,
               const std::vector<char>& is_hasty)
     : m_chords(&chords), m_rule(rule), m_starts(vertices), m_is_hasty(is_hasty),
-      m_fixed_lines(chords.labels().surface(), vertices)
+      m_fixed_lines(chords, vertices), m_queue(Comes_later{&chords})
   {
     for (int v : vertices)
-      chords.labels().surface().for_each_outgoing(v, [&](int h) { start(v, h); });
+      chords.surface().for_each_outgoing(v, [&](int h) { start(v, h); });
   }
 
   const std::vector<Trace>& traces() const { return m_traces; }
@@ -106,18 +106,30 @@ public:
   }
 
 private:
-  // is the arrival of the later of two traces at a crossing, or of a trace at the side of a
-  // triangle (crossing = -1)
+  // is the arrival of the later of two traces at a crossing, or of a trace at the end of a chord
+  // (crossing = -1)
   struct Event
   {
     double length;
     int trace;
-    int number; // events are numbered, so that their order is total
+    int chord;
     int crossing;
+  };
 
-    friend bool operator<(const Event& a, const Event& b) // the queue has the largest on top
+  // The order of events is total. At equal lengths it is that of the traces, and along each of them.
+  struct Comes_later
+  {
+    const Chords* chords;
+
+    bool operator()(const Event& a, const Event& b) const      // the queue has the last on top
     {
-      return std::tie(a.length, a.trace, a.number) > std::tie(b.length, b.trace, b.number);
+      if (std::tie(a.length, a.trace) != std::tie(b.length, b.trace))
+        return std::tie(a.length, a.trace) > std::tie(b.length, b.trace);
+      if (a.chord != b.chord)
+        return chords->chord(a.chord).step > chords->chord(b.chord).step;
+      if (a.crossing < 0 || b.crossing < 0)
+        return a.crossing < 0 && b.crossing >= 0;
+      return chords->is_before(a.chord, b.crossing, a.crossing);
     }
   };
 
@@ -159,13 +171,12 @@ private:
   // candidate
   void note_ends_of_fixed_line(Trace& t, int c)
   {
-    const Triangle_surface& surface = m_chords->labels().surface();
-    const int h = m_chords->chord(c).to.halfedge; // it leads to the left
+    const int h = m_chords->chord(c).to.halfedge, // it leads to the left
+        opposite = m_chords->surface().opposite(h);
     const double r = m_rule.displacement, own = m_chords->chord(c).end,
-                 passed = m_chords->parameter_of_end(c) * surface.length(h),
+                 passed = m_chords->length_before(m_chords->chord(c).to),
                  left = m_fixed_lines.length_ahead(h) - passed,
-                 right = m_fixed_lines.length_ahead(surface.opposite(h)) - surface.length(h) +
-                         passed;
+                 right = m_fixed_lines.length_ahead(opposite) - m_chords->length(h) + passed;
     t.met_on_left |= left - 2 * r <= m_rule.tangent * (own + 2 * r);
     t.met_on_right |= right - 2 * r <= m_rule.tangent * (own + 2 * r);
   }
@@ -177,15 +188,10 @@ private:
     m_traces[trace].chords.push_back(chord);
     for (int x = known; x < m_chords->number_of_crossings(); ++x) {
       const Chords::Crossing& crossing = m_chords->crossing(x);
-      const int s = later_side(x);
-      push(crossing.length[s], m_chords->chord(crossing.chord[s]).trace, x);
+      const int s = later_side(x), c = crossing.chord[s];
+      m_queue.push({crossing.length[s], m_chords->chord(c).trace, c, x});
     }
-    push(m_chords->chord(chord).end, trace, -1);
-  }
-
-  void push(double length, int trace, int crossing)
-  {
-    m_queue.push({length, trace, m_number++, crossing});
+    m_queue.push({m_chords->chord(chord).end, trace, chord, -1});
   }
 
   void meet(int x)
@@ -272,8 +278,7 @@ private:
   const std::vector<char>& m_is_hasty;
   Fixed_lines m_fixed_lines;
   std::vector<Trace> m_traces;
-  std::priority_queue<Event> m_queue;
-  int m_number = 0;
+  std::priority_queue<Event, std::vector<Event>, Comes_later> m_queue;
 };
 
 } // namespace internal

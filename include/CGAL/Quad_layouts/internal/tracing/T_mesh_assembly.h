@@ -253,8 +253,8 @@ private:
     };
     double passed = 0; // of the edge
     for (int p : points) {
-      const double here = is_canonical ? m_chords.order().t(p) : 1 - m_chords.order().t(p);
-      length += (here - passed) * surface().length(h);
+      const double here = m_chords.length_before({h, p});
+      length += here - passed;
       passed = here;
       add_piece();
       const int node = m_node_of_point[p], ahead = is_canonical ? 0 : 2;
@@ -263,7 +263,7 @@ private:
       begin_arc(t, node);
       around(node)[ahead] = m_result.number_of_halfedges() - 2;
     }
-    length += (1 - passed) * surface().length(h);
+    length += m_chords.length(h) - passed;
     add_piece();
     if (!is_canonical) {
       std::reverse(arcs.begin(), arcs.end());

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_LAYOUT_ROUTE_H
+#define CGAL_QUAD_LAYOUTS_LAYOUT_ROUTE_H
+
+namespace CGAL {
+namespace Quad_layouts {
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+names the ways from a cross field to a T-mesh, see `compute_t_mesh()`.
+*/
+enum Layout_route {
+  FIELD,          ///< traces run along the directions of the field
+  PARAMETRIZATION ///< traces are lines of constant coordinates of a seamless parametrization
+};
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_LAYOUT_ROUTE_H

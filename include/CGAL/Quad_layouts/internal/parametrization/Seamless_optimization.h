@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_SEAMLESS_OPTIMIZATION_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_SEAMLESS_OPTIMIZATION_H
+
+#include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/Seamless_parametrization.h>
+#include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Reduced_newton.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Rosettes.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
+#include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
+#include <CGAL/Quad_layouts/internal/parametrization/exact_parametrization.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// The search for a seamless parametrization of a cross field that is locally injective.
+class Seamless_optimization
+{
+public:
+  // `field` must outlive this, and so must `monitor`
+  Seamless_optimization(const Cross_field& field, double edge_length, int most_steps,
+                        const Monitor& monitor)
+    : m_field(field), m_edge_length(edge_length), m_most_steps(most_steps), m_monitor(monitor),
+      m_cut(field), m_seams(field.surface(), m_cut),
+      m_energy(field.surface(), m_cut, m_seams, edge_length), m_newton(m_seams, m_energy)
+  {
+  }
+
+  // finds the map that fits the field best, and turns its inverted triangles back
+  void align()
+  {
+    m_newton.align();
+    untangle();
+  }
+
+  // does the same with the triangles around some vertices spread like the rosettes of another field, which
+  // differs in its indices at most, and then lets them go
+  void align_with_rosettes(const Cross_field& field, const std::vector<int>& vertices)
+  {
+    const Rosettes rosettes(field, m_cut, m_edge_length);
+    for (const int v : vertices)
+      rosettes.demand(v, m_energy);
+    align();
+    m_energy.release();
+    untangle();
+  }
+
+  // spreads the triangles around vertices of valence 5 and more that have a wrong sum of angles
+  void repair_windings()
+  {
+    constexpr int most_rounds = 3;
+    std::vector<int> vertices;
+    for (int round = 0; round < most_rounds; ++round) {
+      const Seamless_parametrization map = result();
+      if (map.wrong_winding == 0)
+        return;
+      for (int v = 0; v < m_field.surface().number_of_vertices(); ++v)
+        if (m_field.index(v) < 0 && !has_right_angle_sum(map, v))
+          vertices.push_back(v);
+      align_with_rosettes(m_field, vertices);
+    }
+  }
+
+  // the map in integers, verified, with the counts of what is not locally injective
+  Seamless_parametrization result() const
+  {
+    Seamless_parametrization map = exact_parametrization(m_field, m_cut, m_seams,
+                                                         m_newton.coordinates(), m_edge_length);
+    const std::string error = inexactness(map);
+    if (!error.empty())
+      throw Stage_failure("parametrize_seamlessly: " + error);
+    map.inverted = number_of_inverted_faces(map);
+    map.wrong_winding = number_of_wrong_windings(map);
+    return map;
+  }
+
+private:
+  void untangle()
+  {
+    constexpr double barrier = 0.1;
+    m_newton.untangle(barrier, m_most_steps, m_monitor);
+  }
+
+  const Cross_field& m_field;
+  double m_edge_length;
+  int m_most_steps;
+  const Monitor& m_monitor;
+  Cut_graph m_cut;
+  Seam_constraints m_seams;
+  Aligned_energy m_energy;
+  Reduced_newton m_newton;
+};
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_SEAMLESS_OPTIMIZATION_H
