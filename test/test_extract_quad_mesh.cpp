@@ -253,4 +253,20 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range)
   BOOST_TEST(num_vertices(mesh) == 0u);
 }
 
+// A quarter of a circle takes few segments, a straight line one, a corner two.
+BOOST_AUTO_TEST_CASE(segments_of_curves)
+{
+  using QL::internal::number_of_segments;
+  std::vector<QL::internal::Point> circle;
+  for (int i = 0; i <= 90; ++i)
+    circle.emplace_back(std::cos(i * 3.14159265358979323846 / 180),
+                        std::sin(i * 3.14159265358979323846 / 180), 0);
+  // each covers an angle whose half has a cosine of at least 1 - tolerance
+  BOOST_TEST(number_of_segments(circle, 1) == 1);
+  BOOST_TEST(number_of_segments(circle, 1 - std::cos(0.1)) == 9); // 11 degrees each
+  BOOST_TEST(number_of_segments(circle, 0) == 90);
+  BOOST_TEST(number_of_segments({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, 0) == 1);
+  BOOST_TEST(number_of_segments({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 0.1) == 2);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -62,6 +62,11 @@ Edge_map sharp_edges(Mesh& mesh)
   return result;
 }
 
+generated::Kernel::Segment_3 segment(Mesh::Edge_index e, const Mesh& mesh)
+{
+  return {mesh.point(source(e, mesh)), mesh.point(target(e, mesh))};
+}
+
 // says if layout edges that are fixed are as long as the feature curves: each unit of a fixed arc has
 // its own
 void check_fixed_edges(const QL::T_mesh& t, const QL::Quad_layout& layout)
@@ -256,6 +261,49 @@ BOOST_AUTO_TEST_CASE(feature_curves_divide_patches)
   BOOST_TEST(QL::measure_quad_mesh(quads).patches == 6);
   const auto np = parameters::default_values().edge_is_constrained_map(on_feature);
   BOOST_TEST(QL::measure_quad_mesh(quads, np).patches == patches);
+}
+
+// Where a curve turns by a few degrees, it goes straight on for the layout; the edges of quads do not
+// cut it off all the same.
+BOOST_AUTO_TEST_CASE(bends_are_followed)
+{
+  const Mesh mesh = generated::annulus(0.4, 1, 4, 20);
+  Mesh quads;
+  QL::quad_remesh(mesh, quads, parameters::target_edge_length(0.1));
+  BOOST_TEST(QL::measure_quad_mesh(quads).inverted_quads == 0);
+  double farthest = 0;
+  for (const auto v : vertices(mesh))
+    if (mesh.is_border(v)) {
+      double nearest = 1;
+      for (const auto e : edges(quads))
+        if (quads.is_border(e))
+          nearest = (std::min)(nearest, CGAL::squared_distance(mesh.point(v), segment(e, quads)));
+      farthest = (std::max)(farthest, std::sqrt(nearest));
+    }
+  BOOST_TEST(farthest < 1e-3 * std::sqrt(8.));
+}
+
+// Two curves that end on a third one, from its two sides. If their ends fell together, the layout would
+// have a vertex where four curves meet, but no place for it on all of them.
+BOOST_AUTO_TEST_CASE(junctions_stay_apart)
+{
+  Mesh mesh = generated::plate_with_holes(3, 3, {}, 4);
+  const auto is_feature = features(mesh, [](const auto& p, const auto& q) {
+    return (p.y() == 1 && q.y() == 1) || (p.x() == 1 && q.x() == 1 && p.y() <= 1 && q.y() <= 1) ||
+           (p.x() == 2 && q.x() == 2 && p.y() >= 1 && q.y() >= 1);
+  });
+  const QL::T_mesh t = QL::trace_motorcycle_graph(QL::compute_cross_field(
+      mesh, parameters::default_values().edge_is_constrained_map(is_feature)));
+  std::vector<int> length = QL::quantize(t).arc_length;
+  BOOST_TEST(QL::internal::examine_quotient(t, length).valid);
+  for (int a = 0; a < t.number_of_edges(); ++a) {
+    const auto p = t.point(t.source(2 * a)), q = t.point(t.target(2 * a));
+    if ((std::min)(p.x(), q.x()) > 1 - 1e-6 && (std::max)(p.x(), q.x()) < 2 + 1e-6 &&
+        std::abs(p.y() - q.y()) < 1e-6)
+      length[a] = 0;
+  }
+  const auto report = QL::internal::examine_quotient(t, length);
+  BOOST_TEST(report.reason.find("junctions") == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

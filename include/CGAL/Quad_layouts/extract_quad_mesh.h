@@ -14,6 +14,7 @@
 #include <CGAL/Quad_layouts/internal/layout/divided_layout.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_Layout_tracer.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_build_mesh.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/extract_curve_divisions.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_grid_points.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
@@ -38,6 +39,36 @@ inline void check_map(const Integer_grid_map& map, const Quad_layout& layout)
   CGAL_USE(layout);
 }
 
+// returns the edges of the layout as polylines
+inline std::vector<std::vector<Point>> traced_edges(const Integer_grid_map& map,
+                                                    const Quad_layout& layout)
+{
+  const std::vector<int> undivided(layout.number_of_chords, 1);
+  return Layout_tracer(map, layout, undivided).curves();
+}
+
+// returns whether the layout has edges on fixed curves, like the border
+inline bool has_fixed_edges(const Quad_layout& layout)
+{
+  for (int e = 0; e < layout.number_of_edges(); ++e)
+    if (layout.is_fixed(e))
+      return true;
+  return false;
+}
+
+// returns the number of parts of the edges of each chord, which are their lengths in the map unless
+// there is a target
+inline std::vector<int> number_of_parts(const Integer_grid_map& map, const Quad_layout& layout,
+                                        bool has_target, double target)
+{
+  std::vector<int> result = has_target ? chord_divisions(layout, target) : map.chord_length;
+  if (has_fixed_edges(layout))
+    raise_for_fixed_curves(layout, traced_edges(map, layout), curve_tolerance(map.surface()),
+                           result);
+  raise_to_simple(layout, result);
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -53,7 +84,8 @@ exactly.
 
 All edges of a chord have the same number of parts: their length in the map, or what comes closest
 to `target_edge_length`. It is raised where the mesh would have loops or several edges between two
-vertices.
+vertices, and where fixed curves bend so much that fewer edges could not follow them, within a
+thousandth of the diagonal of the surface's bounding box.
 
 \tparam QuadMesh a model of `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -135,11 +167,7 @@ void extract_quad_mesh(const Integer_grid_map& map, const Quad_layout& layout, Q
     internal::require_positive("target_edge_length", target);
   internal::check_map(map, layout);
 
-  std::vector<int> divisions = map.chord_length;
-  if (has_target)
-    divisions = internal::chord_divisions(layout, target);
-  else
-    internal::raise_to_simple(layout, divisions);
+  const auto divisions = internal::number_of_parts(map, layout, has_target, target);
   const internal::Divided_layout divided(layout, divisions);
   const internal::Layout_tracer tracer(map, layout, divisions);
   internal::build_mesh(divided, internal::grid_points(tracer, divided), out, np_out);
@@ -158,8 +186,7 @@ inline std::vector<std::vector<Quad_layout::Point>> layout_curves(const Integer_
                                                                   const Quad_layout& layout)
 {
   internal::check_map(map, layout);
-  const std::vector<int> undivided(layout.number_of_chords, 1);
-  return internal::Layout_tracer(map, layout, undivided).curves();
+  return internal::traced_edges(map, layout);
 }
 
 } // namespace Quad_layouts

@@ -67,8 +67,10 @@ moves the vertices of a quad mesh on a surface, so that its quads get closer to 
 
 All vertices move, irregular ones too: this is the step that carries the singularities of a layout
 to better places (\cgalCite{lck-sqlrs-21}, Section 5). Only irregular vertices on the border and on
-features, and corners of these, stay where they are; others slide along them. First the vertices are
-put on the surface. Then they are moved to weighted means of their neighbours, where edges count
+features, and corners of these, stay where they are; others slide along them, and no farther than
+lets their edges follow the bends of the curve: within a thousandth of the diagonal of the bounding
+box of the surface, where there are vertices enough for that. First the vertices are put on the
+surface. Then they are moved to weighted means of their neighbours, where edges count
 more the longer they are and the more the surface bends along them. At last the quads' angles are
 optimized, by Newton steps for one vertex at a time. A move that would turn a quad inside out, or
 over by more than 60 degrees against the surface, is not made. Quads that are inverted all the same,

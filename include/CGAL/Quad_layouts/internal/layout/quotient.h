@@ -201,14 +201,26 @@ inline std::vector<int> fixed_connections(const Fibres& fibres, int fibre)
   return result;
 }
 
-// Finds places where fixed curves fall together, because one fibre has several pieces of them, and
-// closed ones that vanish.
+// the nodes of a fibre where fixed curves meet
+inline std::vector<int> junctions(const Fibres& fibres, int fibre)
+{
+  const T_mesh& t = fibres.grid().t_mesh();
+  std::vector<int> result;
+  for (int p : fibres.fibre(fibre).points)
+    if (p < t.number_of_vertices() && t.number_of_fixed_arcs(p) > 2)
+      result.push_back(p);
+  return result;
+}
+
+// Finds places where fixed curves fall together, because one fibre has several pieces of them, or
+// several junctions; and closed ones that vanish.
 inline void find_defects_of_fixed_curves(const Fibres& fibres, Quotient_report& report)
 {
   for (int f = 0; f < fibres.size(); ++f) {
     const std::vector<std::vector<int>> pieces = fixed_pieces(fibres, f);
     const std::vector<int> connections = fixed_connections(fibres, f);
     const std::string node = std::to_string(fibres.fibre(f).points.front());
+    const std::vector<int> met = junctions(fibres, f);
     std::size_t points = 0;
     for (const auto& piece : pieces)
       points += piece.size();
@@ -219,6 +231,11 @@ inline void find_defects_of_fixed_curves(const Fibres& fibres, Quotient_report& 
       add_defect(
           report, "fixed curves fall together at node " + node,
           {arcs_of(fibres, Fibre_loops(fibres, f).path(pieces.front(), pieces.back())), false});
+    else if (met.size() > 1) {
+      const std::vector<int> path = Fibre_loops(fibres, f).path({met[0]}, {met[1]});
+      add_defect(report, "junctions of fixed curves fall together at node " + node,
+                 {arcs_of(fibres, path), are_arcs(fibres, path)});
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_polygons.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Curve_deviation.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Surface_walk.h>
 
@@ -33,7 +34,7 @@ public:
   // Takes a mesh of quads and puts its vertices on the surface, except those on fixed curves where
   // these do not go straight on.
   Quads_on_surface(Polygons& mesh, const Surface_walk& walk)
-    : m_mesh(mesh), m_walk(walk), m_corners(mesh.number_of_vertices()),
+    : m_mesh(mesh), m_walk(walk), m_deviation(walk.surface()), m_corners(mesh.number_of_vertices()),
       m_normals(mesh.number_of_vertices()), m_on_curve(mesh.number_of_vertices())
   {
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
@@ -45,7 +46,7 @@ public:
     }
     place_vertices();
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
-      if (!m_corners[v].empty() && (!is_on_curve(v) || m_places[v].fixed_halfedge >= 0)) {
+      if (!m_corners[v].empty() && (!is_on_curve(v) || slides_on_curve(v))) {
         m_movable.push_back(v);
         m_mesh.points[v] = m_places[v].point;
       }
@@ -61,6 +62,23 @@ public:
     for (const int u : m_on_curve[v])
       sum += m_mesh.points[u];
     return sum / double(m_on_curve[v].size());
+  }
+  // how far the curve through a movable vertex would be from the edges beside it at a place
+  double deviation_from_curve(int v, const Place& place) const
+  {
+    double result = 0;
+    for (const int u : m_on_curve[v])
+      result = (std::max)(result, m_deviation.of_edge(place, m_places[u]));
+    return result;
+  }
+  double permitted_deviation() const { return m_deviation.tolerance(); }
+  // calls visit(place) for the vertices of the surface on the curve from a movable vertex to both
+  // its neighbours
+  template <class Visit>
+  void for_each_place_beside(int v, const Visit& visit) const
+  {
+    for (const int u : m_on_curve[v])
+      m_deviation.for_each_place_between(m_places[v], m_places[u], visit);
   }
   // the vertices that may move, ascending
   const std::vector<int>& movable() const { return m_movable; }
@@ -141,10 +159,15 @@ private:
       for (const int h : m_corners[v])
         normal += area_vector(quad(m_mesh.face[h]));
       m_places.push_back(m_walk.locate(m_mesh.points[v], normal, 0.25 * edge_length(v)));
-      if (is_on_curve(v) && goes_straight_on(v))
+      if (is_on_curve(v))
         m_places[v] = m_walk.nearest_on_fixed_edges(m_places[v]);
       m_normals[v] = m_walk.normal(m_places[v]);
     }
+  }
+
+  bool slides_on_curve(int v) const
+  {
+    return m_places[v].fixed_halfedge >= 0 && goes_straight_on(v);
   }
 
   // whether v is regular, and the only curve there goes straight on
@@ -174,6 +197,7 @@ private:
 
   Polygons& m_mesh;
   const Surface_walk& m_walk;
+  const Curve_deviation m_deviation;
   std::vector<std::vector<int>> m_corners;
   std::vector<int> m_movable;
   std::vector<Place> m_places;

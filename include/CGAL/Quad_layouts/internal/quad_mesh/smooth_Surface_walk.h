@@ -192,7 +192,7 @@ private:
     int h = start.fixed_halfedge;
     Projection here = nearest_on_edge(h, target);
     while (here.where == Projection::AT_VERTEX) {
-      const int g = other_fixed_edge(h, m_surface.source(here.halfedge));
+      const int g = m_surface.other_fixed_halfedge(h, m_surface.source(here.halfedge));
       if (g < 0)
         break;
       const Projection there = nearest_on_edge(g, target);
@@ -202,22 +202,6 @@ private:
       h = g;
     }
     return {here.point, m_surface.face(h), h};
-  }
-
-  // the fixed edge that goes on at v, an end of the fixed edge of h; -1 if none does, or several do
-  int other_fixed_edge(int h, int v) const
-  {
-    int result = -1, count = 0;
-    const auto consider = [&](int g) {
-      if (m_surface.is_fixed(g) && m_surface.edge(g) != m_surface.edge(h)) {
-        result = g;
-        ++count;
-      }
-    };
-    m_surface.for_each_outgoing(v, consider);
-    if (m_surface.is_on_border(v))
-      consider(m_surface.border_halfedge_to(v));
-    return count == 1 ? result : -1;
   }
 
   Projection project_to_edge(int h, const Vector& side, const Vector& to_target,

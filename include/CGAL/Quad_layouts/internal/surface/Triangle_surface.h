@@ -136,6 +136,23 @@ public:
     return -1;
   }
 
+  // a halfedge of the fixed edge that goes on at v, an end of the fixed edge of h; -1 if none does,
+  // or several do
+  int other_fixed_halfedge(int h, int v) const
+  {
+    int result = -1, count = 0;
+    const auto consider = [&](int g) {
+      if (is_fixed(g) && edge(g) != edge(h)) {
+        result = g;
+        ++count;
+      }
+    };
+    for_each_outgoing(v, consider);
+    if (is_on_border(v))
+      consider(border_halfedge_to(v));
+    return count == 1 ? result : -1;
+  }
+
   const Point& point(int v) const { return m_points[v]; }
   const std::vector<Point>& points() const { return m_points; }
 

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_CURVE_DISTANCE_H
+#define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_CURVE_DISTANCE_H
+
+#include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Quad_layouts {
+namespace internal {
+
+// how far the edges of quads may be from fixed curves of a surface
+inline double curve_tolerance(const Triangle_surface& surface)
+{
+  return 8e-4 * surface.diagonal();
+}
+
+// returns the distance of x from the segment between p and q
+inline double distance_to_segment(const Point& x, const Point& p, const Point& q)
+{
+  const Point side = q - p;
+  const double length = side.squaredNorm(), along = side.dot(x - p);
+  const double fraction = length > 0 ? std::clamp(along / length, 0., 1.) : 0;
+  return (p + fraction * side - x).norm();
+}
+
+} // namespace internal
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_CURVE_DISTANCE_H
