@@ -134,13 +134,13 @@ void run(const std::string& file, const QL::Cross_field& field, const Options& o
     const QL::Quantization q = quantize(t_mesh, options, alpha, r, history);
     const double seconds = timer.time();
     const bool has_layout = q.status != QL::Quantization::INFEASIBLE;
-    const int patches =
-        has_layout ? QL::measure_quad_layout(QL::extract_quad_layout(t_mesh, q)).patches : 0;
+    const int patches = has_layout
+                            ? QL::measure_quad_layout(QL::extract_quad_layout(t_mesh, q)).patches
+                            : 0;
     std::cout << file << ',' << alpha << ',' << r << ',' << field.number_of_singularities() << ','
               << t_mesh.number_of_edges() << ',' << q.variables << ',' << q.indicators << ','
-              << status_name(q.status) << ','
-              << q.objective << ',' << q.bound << ',' << q.gap() << ','
-              << seconds_to_within_a_percent(steps, q.objective) << ',' << seconds << ','
+              << status_name(q.status) << ',' << q.objective << ',' << q.bound << ',' << q.gap()
+              << ',' << seconds_to_within_a_percent(steps, q.objective) << ',' << seconds << ','
               << patches << ',' << q.violated << std::endl;
   }
 }

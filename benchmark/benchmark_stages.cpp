@@ -60,8 +60,7 @@ Figures run_stages(const Mesh& mesh)
   const auto field = timed(result, [&] { return QL::compute_cross_field(mesh); });
   const auto t_mesh = timed(result, [&] { return QL::trace_motorcycle_graph(field); });
   const auto quantization = timed(result, [&] { return QL::quantize(t_mesh); });
-  const auto layout =
-      timed(result, [&] { return QL::extract_quad_layout(t_mesh, quantization); });
+  const auto layout = timed(result, [&] { return QL::extract_quad_layout(t_mesh, quantization); });
   const auto map = timed(result, [&] { return QL::embed_quad_layout(t_mesh, layout); });
   Mesh quads;
   timed(result, [&] { QL::extract_quad_mesh(map, layout, quads); });

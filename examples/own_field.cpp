@@ -50,7 +50,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const QL::Quad_mesh_measures quality = QL::measure_quad_mesh(quads);
-  std::cout << quality.quads << " quads, " << quality.irregular_vertices
-            << " irregular vertices, " << quality.patches << " patches" << std::endl;
+  std::cout << quality.quads << " quads, " << quality.irregular_vertices << " irregular vertices, "
+            << quality.patches << " patches" << std::endl;
   return CGAL::IO::write_polygon_mesh("quads.off", quads) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -40,8 +40,7 @@ struct Clock : QL::Default_visitor
 
 void remesh(const Mesh& mesh, Mesh& quads)
 {
-  const auto np =
-      QL::parameters::maximum_deviation(15).maximum_displacement(2).visitor(Clock());
+  const auto np = QL::parameters::maximum_deviation(15).maximum_displacement(2).visitor(Clock());
 
   const QL::Cross_field field = QL::compute_cross_field(mesh, np);
   std::cout << "  " << field.number_of_singularities() << " singularities of the field\n";

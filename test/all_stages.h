@@ -46,14 +46,14 @@ struct Task
   Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
   std::vector<Eigen::Vector3d> directions; // a field of its own, or empty
   double curvature_alignment = 0.07;
-  double sharp_angle = 180;  // of the features
+  double sharp_angle = 180; // of the features
   double deviation = 15;
   double displacement = 2;
   double edge_length = 0.05; // of the diagonal
   int minimum_valence = 3;
   int maximum_valence = 8;
-  double seconds = 1;        // for what is the better the longer it takes: search and smoothing
-  double time_limit = 30;    // of each of the other stages
+  double seconds = 1;     // for what is the better the longer it takes: search and smoothing
+  double time_limit = 30; // of each of the other stages
 
   explicit Task(Mesh m) : mesh(std::move(m))
   {
@@ -103,16 +103,16 @@ inline void check_clusters(const Task& task, const Results& r)
   if (r.quantization.violated > 0)
     return;
   BOOST_TEST(violations(nc, [&](int i) {
-    const QL::Quad_layout::Cluster& c = r.layout.clusters[i];
-    if (!is_merged(c))
-      return true;
-    int low = 4 - task.maximum_valence, high = 4 - task.minimum_valence;
-    for (const int n : c.nodes) {
-      low = (std::min)(low, r.t_mesh.index(n));
-      high = (std::max)(high, r.t_mesh.index(n));
-    }
-    return task.displacement > 0 && low <= c.index && c.index <= high;
-  }) == 0);
+               const QL::Quad_layout::Cluster& c = r.layout.clusters[i];
+               if (!is_merged(c))
+                 return true;
+               int low = 4 - task.maximum_valence, high = 4 - task.minimum_valence;
+               for (const int n : c.nodes) {
+                 low = (std::min)(low, r.t_mesh.index(n));
+                 high = (std::max)(high, r.t_mesh.index(n));
+               }
+               return task.displacement > 0 && low <= c.index && c.index <= high;
+             }) == 0);
 }
 
 // the layout is a manifold without T-joints, of the topology of the surface
@@ -156,25 +156,25 @@ inline void check_map(const QL::Integer_grid_map& map, const QL::Quad_layout& la
   const Surface& surface = map.surface();
   BOOST_TEST(map.inverted == 0);
   BOOST_TEST(map.wrong_winding == 0);
-  BOOST_TEST(violations(surface.number_of_faces(),
-                        [&](int f) { return orientation(map, f) > 0; }) == 0);
-  BOOST_TEST(violations(surface.number_of_halfedges(), [&](int h) {
-    const int twin = surface.opposite(h);
-    return twin < 0 || (map.transition(h)(map.coordinates(h)) ==
-                            map.coordinates(Surface::next(twin)) &&
-                        map.transition(h)(map.coordinates(Surface::next(h))) ==
-                            map.coordinates(twin));
-  }) == 0);
+  BOOST_TEST(
+      violations(surface.number_of_faces(), [&](int f) { return orientation(map, f) > 0; }) == 0);
+  BOOST_TEST(
+      violations(surface.number_of_halfedges(), [&](int h) {
+        const int twin = surface.opposite(h);
+        return twin < 0 ||
+               (map.transition(h)(map.coordinates(h)) == map.coordinates(Surface::next(twin)) &&
+                map.transition(h)(map.coordinates(Surface::next(h))) == map.coordinates(twin));
+      }) == 0);
   std::map<int, int> index; // of the anchored vertices
   for (const QL::Integer_grid_map::Anchor& a : map.anchors)
     index[surface.source(a.corner)] = layout.index(layout.source(a.layout_halfedge));
   const std::vector<double> sums = angle_sums(map);
   BOOST_TEST(violations(surface.number_of_vertices(), [&](int v) {
-    const int h = surface.halfedge(v);
-    const auto anchored = index.find(v);
-    return h < 0 || std::abs(sums[v] - (surface.is_border(h) ? 2 : 4) +
-                             (anchored == index.end() ? 0 : anchored->second)) < 1e-4;
-  }) == 0);
+               const int h = surface.halfedge(v);
+               const auto anchored = index.find(v);
+               return h < 0 || std::abs(sums[v] - (surface.is_border(h) ? 2 : 4) +
+                                        (anchored == index.end() ? 0 : anchored->second)) < 1e-4;
+             }) == 0);
 }
 
 // the quad mesh has the topology of the surface and the patches of the layout, and lies on the surface
@@ -236,8 +236,9 @@ inline bool run(Task& task, Results& r)
                       .minimum_valence(task.minimum_valence)
                       .maximum_valence(task.maximum_valence)
                       .maximum_running_time(task.time_limit);
-  r.field = field_of(task, np.edge_is_constrained_map(task.is_feature)
-                               .curvature_alignment(task.curvature_alignment));
+  r.field = field_of(
+      task,
+      np.edge_is_constrained_map(task.is_feature).curvature_alignment(task.curvature_alignment));
   check_field(r.field);
   r.t_mesh = QL::trace_motorcycle_graph(r.field, np);
   invariants::check_t_mesh(r.t_mesh);

@@ -21,8 +21,8 @@ namespace generated {
 
 constexpr double pi = 3.14159265358979323846;
 
-inline std::shared_ptr<const CGAL::Quad_layouts::internal::Triangle_surface>
-surface_of(const Mesh& mesh)
+inline std::shared_ptr<const CGAL::Quad_layouts::internal::Triangle_surface> surface_of(
+    const Mesh& mesh)
 {
   using namespace CGAL::Quad_layouts::internal;
   return std::make_shared<const Triangle_surface>(

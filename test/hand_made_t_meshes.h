@@ -93,8 +93,12 @@ inline T_mesh cube()
     }
   };
   std::vector<Sides> patches;
-  for (const std::array<int, 4>& q : {std::array<int, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+  for (const std::array<int, 4>& q : {std::array<int, 4>{0, 2, 3, 1},
+                                      {4, 5, 7, 6},
+                                      {0, 1, 5, 4},
+                                      {2, 6, 7, 3},
+                                      {0, 4, 6, 2},
+                                      {1, 3, 7, 5}}) {
     Sides sides;
     for (int k = 0; k < 4; ++k)
       sides[k] = {halfedge(q[k], q[(k + 1) % 4])};
@@ -120,8 +124,10 @@ inline T_mesh torus(int m, int n)
       seeds.push_back(node(i, j));
       arcs.emplace_back(node(i, j), node(i + 1, j));
       arcs.emplace_back(node(i, j), node(i, j + 1));
-      patches.push_back({std::vector<int>{4 * node(i, j)}, {4 * node(i + 1, j) + 2},
-                         {4 * node(i, j + 1) + 1}, {4 * node(i, j) + 3}});
+      patches.push_back({std::vector<int>{4 * node(i, j)},
+                         {4 * node(i + 1, j) + 2},
+                         {4 * node(i, j + 1) + 1},
+                         {4 * node(i, j) + 3}});
     }
   return make_t_mesh(points, arcs, patches, seeds);
 }

@@ -68,9 +68,9 @@ inline void check_halfedge_complex(const Halfedge_complex& c)
   BOOST_TEST(violations(nv, [&](int v) { return c.source(c.halfedge_from(v)) == v; }) == 0);
   BOOST_TEST(violations(nf, [&](int f) { return c.face(c.halfedge_of(f)) == f; }) == 0);
   BOOST_TEST(violations(nh, [&](int h) {
-    const int v = c.source(h);
-    return !c.is_border(Halfedge_complex::opposite(h)) || c.halfedge_from(v) == h;
-  }) == 0);
+               const int v = c.source(h);
+               return !c.is_border(Halfedge_complex::opposite(h)) || c.halfedge_from(v) == h;
+             }) == 0);
   BOOST_TEST(violations(nh, [&](int h) { return !c.is_border(h) || !c.is_border(h ^ 1); }) == 0);
 }
 
@@ -121,11 +121,11 @@ inline void check_nodes(const T_mesh& t)
     index_sum += t.index(n);
   BOOST_TEST(index_sum == 4 * invariants::euler_characteristic(t.surface()));
   BOOST_TEST(violations(nodes, [&](int n) {
-    return quarter_turns(t, n) == (t.is_on_border(n) ? 2 : 4) - t.index(n);
-  }) == 0);
+               return quarter_turns(t, n) == (t.is_on_border(n) ? 2 : 4) - t.index(n);
+             }) == 0);
   BOOST_TEST(violations(nodes, [&](int n) {
-    return t.node_visits[n].size() == (t.is_singularity_or_seed(n) ? 0u : 2u);
-  }) == 0);
+               return t.node_visits[n].size() == (t.is_singularity_or_seed(n) ? 0u : 2u);
+             }) == 0);
 }
 
 // returns the halfedge that goes straight on after h
@@ -142,9 +142,8 @@ inline void check_trace(const T_mesh& t, int i)
   BOOST_TEST(t.source(2 * arcs.front()) == t.traces[i].start);
   BOOST_TEST(t.is_singularity_or_seed(t.traces[i].start));
   const int last = int(arcs.size()) - 1;
-  BOOST_TEST(violations(last, [&](int k) {
-    return straight_on(t, 2 * arcs[k]) == 2 * arcs[k + 1];
-  }) == 0);
+  BOOST_TEST(
+      violations(last, [&](int k) { return straight_on(t, 2 * arcs[k]) == 2 * arcs[k + 1]; }) == 0);
   BOOST_TEST(violations(last + 1, [&](int k) { return t.trace(arcs[k]) == i; }) == 0);
   const int end = t.target(2 * arcs.back());
   if (t.is_fixed(arcs.back())) {
@@ -189,9 +188,8 @@ inline bool ends_by_the_rule(const T_mesh& t, int i, double tangent, double disp
 
 inline void check_stopping_rule(const T_mesh& t, double tangent, double displacement)
 {
-  BOOST_TEST(violations(int(t.traces.size()), [&](int i) {
-    return ends_by_the_rule(t, i, tangent, displacement);
-  }) == 0);
+  BOOST_TEST(violations(int(t.traces.size()),
+                        [&](int i) { return ends_by_the_rule(t, i, tangent, displacement); }) == 0);
 }
 
 // what rounding may make of coordinates and lengths
@@ -207,12 +205,13 @@ inline void check_visits(const T_mesh& t)
 {
   const double tolerance = tolerance_of(t);
   BOOST_TEST(violations(t.number_of_vertices(), [&](int n) {
-    for (const T_mesh::Visit& v : t.node_visits[n])
-      if (t.target(2 * t.traces[v.trace].arcs[v.arcs - 1]) != n)
-        return false;
-    return t.node_visits[n].empty() || t.is_on_fixed_curve(n)
-        || length_until(t, t.node_visits[n][0]) <= length_until(t, t.node_visits[n][1]) + tolerance;
-  }) == 0);
+               for (const T_mesh::Visit& v : t.node_visits[n])
+                 if (t.target(2 * t.traces[v.trace].arcs[v.arcs - 1]) != n)
+                   return false;
+               return t.node_visits[n].empty() || t.is_on_fixed_curve(n) ||
+                      length_until(t, t.node_visits[n][0]) <=
+                          length_until(t, t.node_visits[n][1]) + tolerance;
+             }) == 0);
 }
 
 inline void check_lengths(const T_mesh& t)
@@ -230,9 +229,9 @@ inline void check_opposite_sides(const T_mesh& t)
     return sum;
   };
   BOOST_TEST(violations(t.number_of_faces(), [&](int p) {
-    const auto sides = t.sides(p);
-    return length(sides[0]) == length(sides[2]) && length(sides[1]) == length(sides[3]);
-  }) == 0);
+               const auto sides = t.sides(p);
+               return length(sides[0]) == length(sides[2]) && length(sides[1]) == length(sides[3]);
+             }) == 0);
 }
 
 // No arc is shorter than the straight line. In needles, where rounding decides where chords cross, this
@@ -241,8 +240,9 @@ inline void check_distances(const T_mesh& t)
 {
   const double tolerance = tolerance_of(t);
   BOOST_TEST(violations(t.number_of_edges(), [&](int a) {
-    return (t.point(t.target(2 * a)) - t.point(t.source(2 * a))).norm() <= t.length(a) + tolerance;
-  }) == 0);
+               return (t.point(t.target(2 * a)) - t.point(t.source(2 * a))).norm() <=
+                      t.length(a) + tolerance;
+             }) == 0);
 }
 
 // appends the patches left and entered on the way along the surface's halfedge h
@@ -307,8 +307,8 @@ inline void check_position_on_surface(const T_mesh& t)
   BOOST_TEST_REQUIRE(int(t.corner_arcs.size()) == t.surface().number_of_halfedges());
   BOOST_TEST(violations(faces, [&](int f) { return is_closed_walk(t, f); }) == 0);
   BOOST_TEST(violations(t.number_of_vertices(), [&](int n) {
-    return !t.is_singularity_or_seed(n) || leaves_through_corners(t, n);
-  }) == 0);
+               return !t.is_singularity_or_seed(n) || leaves_through_corners(t, n);
+             }) == 0);
 }
 
 // every crossing of an arc and an edge is listed by both

@@ -45,8 +45,10 @@ public:
     return low + (high - low) * (m_random() / double((std::mt19937::max)()));
   }
   bool happens(double probability) { return real(0, 1) < probability; }
-  Vector vector(double length) { return {real(-length, length), real(-length, length),
-                                         real(-length, length)}; }
+  Vector vector(double length)
+  {
+    return {real(-length, length), real(-length, length), real(-length, length)};
+  }
 
 private:
   std::mt19937 m_random;
@@ -114,10 +116,11 @@ inline Mesh basic_mesh(Dice& dice)
     case 3: return generated::slab_with_holes(dice.integer(0, 3), dice.integer(1, 3));
     case 4: return plate(dice);
     case 5: return generated::disc(dice.integer(1, 8));
-    case 6: return generated::annulus(dice.real(0.05, 0.95), 1, dice.integer(1, 6),
-                                      dice.integer(3, 40));
-    case 7: return generated::annulus_with_step(dice.real(0.1, 0.8), dice.real(0.1, 0.5),
-                                                dice.integer(2, 8), dice.integer(6, 30));
+    case 6:
+      return generated::annulus(dice.real(0.05, 0.95), 1, dice.integer(1, 6), dice.integer(3, 40));
+    case 7:
+      return generated::annulus_with_step(dice.real(0.1, 0.8), dice.real(0.1, 0.5),
+                                          dice.integer(2, 8), dice.integer(6, 30));
     default: return cubes(dice);
   }
 }
@@ -126,7 +129,8 @@ inline Mesh basic_mesh(Dice& dice)
 inline void perforate(Mesh& mesh, Dice& dice, int holes)
 {
   for (; holes > 0; --holes) {
-    const Mesh::Vertex_index v(Mesh::size_type(dice.integer(0, int(mesh.number_of_vertices()) - 1)));
+    const Mesh::Vertex_index v(
+        Mesh::size_type(dice.integer(0, int(mesh.number_of_vertices()) - 1)));
     std::set<Mesh::Vertex_index> around{v};
     for (int ring = 0; ring < 3; ++ring)
       for (const auto u : std::set<Mesh::Vertex_index>(around))
@@ -166,8 +170,8 @@ inline double mean_edge_length(const Mesh& mesh)
 {
   double sum = 0;
   for (const auto e : edges(mesh))
-    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)),
-                                            mesh.point(mesh.vertex(e, 1))));
+    sum += std::sqrt(
+        CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   return sum / mesh.number_of_edges();
 }
 

@@ -86,8 +86,8 @@ inline void scramble_charts(Integer_grid_map& map, std::mt19937& random)
 
 struct Options
 {
-  int refinement = 4;         // triangle edges per unit of length
-  double jitter = 0.2;        // of a triangle edge
+  int refinement = 4;  // triangle edges per unit of length
+  double jitter = 0.2; // of a triangle edge
   bool scramble = true;
   unsigned seed = 0;
 };
@@ -95,8 +95,8 @@ struct Options
 inline Eigen::Vector3d point_in_face(const Quad_layout& layout, int f, double x, double y)
 {
   const int h = layout.halfedge_of(f), g = layout.next(layout.next(h));
-  return (1 - y) * ((1 - x) * layout.point(layout.source(h)) + x * layout.point(layout.target(h)))
-       + y * ((1 - x) * layout.point(layout.target(g)) + x * layout.point(layout.source(g)));
+  return (1 - y) * ((1 - x) * layout.point(layout.source(h)) + x * layout.point(layout.target(h))) +
+         y * ((1 - x) * layout.point(layout.target(g)) + x * layout.point(layout.source(g)));
 }
 
 inline bool is_anchored(const Quad_layout& layout, int v)
@@ -148,8 +148,8 @@ inline void add_anchors(Integer_grid_map& map, const Divided_layout& divided)
     int side = layout.halfedge_of(f);
     for (int k = 0; k < 4; ++k, side = layout.next(side))
       for (int c = 3 * first_triangle; c < 3 * end && is_anchored(layout, layout.source(side)); ++c)
-        if (map.surface().source(c) == layout.source(side)
-            && map.surface().target(c) == divided.vertex_on(side, 1))
+        if (map.surface().source(c) == layout.source(side) &&
+            map.surface().target(c) == divided.vertex_on(side, 1))
           map.anchors.push_back({c, k, side});
     first_triangle = end;
   }

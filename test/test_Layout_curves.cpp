@@ -10,8 +10,8 @@
 
 #include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/embedding/Layout_curves.h>
-#include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
 #include <CGAL/Quad_layouts/internal/embedding/Layout_squares.h>
+#include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
 #include <CGAL/Quad_layouts/internal/embedding/check_embedded_layout.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
@@ -132,8 +132,7 @@ BOOST_AUTO_TEST_CASE(reduction_keeps_curves_and_surface)
       Embedded_layout e = drawn(c);
       const auto before = e.mesh.points.size();
       const Triangle_surface& surface = c.t_mesh.surface();
-      QL::internal::Overlay_reduction(e, surface.number_of_vertices(),
-                                      QL::internal::Monitor());
+      QL::internal::Overlay_reduction(e, surface.number_of_vertices(), QL::internal::Monitor());
       BOOST_TEST(e.mesh.points.size() < before);
       check_curves(e, c.layout);
       check_regions(e, c.layout);

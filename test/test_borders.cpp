@@ -96,8 +96,8 @@ double distance_to_border(const Mesh& mesh, const generated::Point& p)
   for (const auto h : halfedges(mesh))
     if (mesh.is_border(h))
       least = (std::min)(least, CGAL::squared_distance(
-                                  p, generated::Kernel::Segment_3(mesh.point(source(h, mesh)),
-                                                                  mesh.point(target(h, mesh)))));
+                                    p, generated::Kernel::Segment_3(mesh.point(source(h, mesh)),
+                                                                    mesh.point(target(h, mesh)))));
   return std::sqrt(least);
 }
 
@@ -172,10 +172,11 @@ BOOST_AUTO_TEST_CASE(quad_meshes_with_borders)
   check_remeshing(generated::disc(12));
   check_remeshing(generated::annulus(0.5, 1, 6, 40));
   check_remeshing(generated::annulus_with_step(0.5, 0.4, 10, 60));
-  check_remeshing(generated::noisy(generated::plate_with_holes(4, 4, {{2, 2}, {0, 0}}, 4), 0.03, 2));
-  check_remeshing(generated::mesh_of({generated::Point(0, 0, 0), generated::Point(3, 0, 0),
-                                      generated::Point(0, 1, 1)},
-                                     {{0, 1, 2}}));
+  check_remeshing(
+      generated::noisy(generated::plate_with_holes(4, 4, {{2, 2}, {0, 0}}, 4), 0.03, 2));
+  check_remeshing(generated::mesh_of(
+      {generated::Point(0, 0, 0), generated::Point(3, 0, 0), generated::Point(0, 1, 1)},
+      {{0, 1, 2}}));
 }
 
 BOOST_AUTO_TEST_CASE(layouts_of_random_fields)
@@ -185,9 +186,8 @@ BOOST_AUTO_TEST_CASE(layouts_of_random_fields)
     std::mt19937 random(seed);
     const double alpha = 1 + random() % 60, r = random() % 5;
     BOOST_TEST_CONTEXT("seed " << seed << ", deviation " << alpha << ", displacement " << r)
-      layout_of(generated::random_field(meshes[seed % meshes.size()], seed),
-                parameters::maximum_deviation(alpha).maximum_displacement(r)
-                    .maximum_running_time(1));
+    layout_of(generated::random_field(meshes[seed % meshes.size()], seed),
+              parameters::maximum_deviation(alpha).maximum_displacement(r).maximum_running_time(1));
   }
 }
 

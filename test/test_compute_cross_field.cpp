@@ -110,8 +110,8 @@ void check_invariants(const QL::Cross_field& field)
     });
     // transported once around, the frame has turned by the angle defect; directions by the
     // matchings
-    const double holonomy =
-      std::remainder(angle - field.angle(s.face(first)) + corners, 360 * degree);
+    const double holonomy = std::remainder(angle - field.angle(s.face(first)) + corners,
+                                           360 * degree);
     BOOST_REQUIRE_SMALL(holonomy, 1e-6);
     BOOST_REQUIRE((direction - field.index(v)) % 4 == 0);
   }
@@ -138,7 +138,7 @@ double energy(const QL::Cross_field& field)
       continue;
     const int f = s.face(h), g = s.face(s.opposite(h));
     const double turn = std::remainder(field.angle(g) - field.angle(f) - connection.transport(h) +
-                                         90 * degree * field.matching(h),
+                                           90 * degree * field.matching(h),
                                        360 * degree);
     sum += connection.weight(e) * turn * turn;
   }
@@ -153,9 +153,8 @@ Face_vectors vectors_on(Mesh& mesh, const Vector& v)
 template <class Exception>
 std::function<bool(const Exception&)> message_contains(const std::string& text)
 {
-  return [text](const Exception& e) {
-    return std::string(e.what()).find(text) != std::string::npos;
-  };
+  return
+      [text](const Exception& e) { return std::string(e.what()).find(text) != std::string::npos; };
 }
 
 } // namespace
@@ -194,12 +193,12 @@ BOOST_AUTO_TEST_CASE(rounded_fields)
   BOOST_TEST(number(generated::icosphere(3)) == 8);
   BOOST_TEST(number(generated::torus(24, 12)) == 0);
   BOOST_TEST(indices(checked_field(generated::tetrahedron(), QL::MIXED_INTEGER)) ==
-               std::vector<int>(4, 2),
+                 std::vector<int>(4, 2),
              boost::test_tools::per_element());
   const Mesh holes = generated::slab_with_holes(2, 3);
   BOOST_TEST(strongest_index(checked_field(holes, QL::MIXED_INTEGER)) <= 1);
   const Mesh two = generated::disjoint_union(
-    generated::icosphere(2), generated::translated(generated::cube(3), Vector(9, 0, 0)));
+      generated::icosphere(2), generated::translated(generated::cube(3), Vector(9, 0, 0)));
   BOOST_TEST(number(two) == 16);
 }
 
@@ -210,8 +209,8 @@ BOOST_AUTO_TEST_CASE(rounded_fields_are_smoother)
     for (const double alignment : {0., 0.07}) {
       const auto np = params::curvature_alignment(alignment);
       const QL::Cross_field a = QL::compute_cross_field(mesh, np);
-      const QL::Cross_field b =
-        QL::compute_cross_field(mesh, np.cross_field_method(QL::MIXED_INTEGER));
+      const QL::Cross_field b = QL::compute_cross_field(mesh,
+                                                        np.cross_field_method(QL::MIXED_INTEGER));
       check_invariants(b);
       BOOST_TEST(energy(b) < energy(a));
     }
@@ -228,8 +227,8 @@ BOOST_AUTO_TEST_CASE(rounded_fields_keep_borders_and_constraints)
   Face_vectors constraints = vectors_on(mesh, CGAL::NULL_VECTOR);
   for (int f : {5, 300, 301, 900})
     constraints[Mesh::Face_index(f)] = Vector(1, 2, 3 + f);
-  const QL::Cross_field field =
-    QL::compute_cross_field(mesh, rounded.face_constraint_map(constraints).curvature_alignment(0));
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, rounded.face_constraint_map(constraints).curvature_alignment(0));
   check_invariants(field);
   for (int f : {5, 300, 301, 900}) {
     const Eigen::Vector3d v(1, 2, 3 + f), n = field.surface().normal(f);
@@ -249,8 +248,8 @@ BOOST_AUTO_TEST_CASE(resistances_of_springs)
                               std::vector<char>(surface.number_of_faces(), 0));
   Spring_solver solver(springs);
   std::vector<char> active(springs.number_of_springs());
-  Eigen::MatrixXd stiffness =
-    Eigen::MatrixXd::Zero(surface.number_of_faces(), surface.number_of_faces());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(surface.number_of_faces(),
+                                                    surface.number_of_faces());
   const auto ends = [&](int s) {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(surface.number_of_faces());
     result[springs.from(s)] = 1;
@@ -275,8 +274,8 @@ BOOST_AUTO_TEST_CASE(resistances_of_springs)
   solver.solve(angles, jumps);
   for (const int s : {0, 7, 31}) {
     const double d = 90 * degree, w = springs.weight(s), before = springs.energy(angles, jumps);
-    const double promised = w * d * (2 * springs.rotation(angles, jumps, s) +
-                                     d * (1 - w * solver.resistance(s)));
+    const double promised =
+        w * d * (2 * springs.rotation(angles, jumps, s) + d * (1 - w * solver.resistance(s)));
     ++jumps[s];
     solver.solve(angles, jumps);
     BOOST_TEST(springs.energy(angles, jumps) - before == promised,
@@ -291,8 +290,9 @@ BOOST_AUTO_TEST_CASE(curvature_is_followed)
   const QL::Cross_field field = checked_field(generated::torus(40, 20));
   const auto& s = field.surface();
   for (int f = 0; f < s.number_of_faces(); ++f) {
-    const Eigen::Vector3d center = (s.point(s.source(3 * f)) + s.point(s.source(3 * f + 1))
-                                    + s.point(s.source(3 * f + 2))) / 3;
+    const Eigen::Vector3d center = (s.point(s.source(3 * f)) + s.point(s.source(3 * f + 1)) +
+                                    s.point(s.source(3 * f + 2))) /
+                                   3;
     BOOST_TEST(deviation(field, f, Eigen::Vector3d(-center.y(), center.x(), 0)) < 10 * degree);
   }
 }
@@ -346,8 +346,8 @@ BOOST_AUTO_TEST_CASE(needles)
   for (double distance : {1e-3, 1e-17, 1e-300}) {
     const Point near_edge(0.5, distance, distance);
     const Mesh mesh = generated::mesh_of(
-      {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), near_edge},
-      {{0, 2, 1}, {1, 2, 3}, {0, 3, 2}, {0, 4, 3}, {4, 1, 3}, {0, 1, 4}});
+        {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), near_edge},
+        {{0, 2, 1}, {1, 2, 3}, {0, 3, 2}, {0, 4, 3}, {4, 1, 3}, {0, 1, 4}});
     BOOST_TEST(strongest_index(checked_field(mesh)) == 2);
   }
 }
@@ -359,8 +359,8 @@ BOOST_AUTO_TEST_CASE(components_are_independent)
   auto expected = indices(checked_field(a));
   const auto rest = indices(checked_field(b));
   expected.insert(expected.end(), rest.begin(), rest.end());
-  const QL::Cross_field both =
-    checked_field(generated::disjoint_union(a, generated::translated(b, Vector(900, 0, 0))));
+  const QL::Cross_field both = checked_field(
+      generated::disjoint_union(a, generated::translated(b, Vector(900, 0, 0))));
   BOOST_TEST(indices(both) == expected, boost::test_tools::per_element());
 }
 
@@ -370,8 +370,8 @@ BOOST_AUTO_TEST_CASE(constraints_are_kept)
   Face_vectors constraints = vectors_on(mesh, CGAL::NULL_VECTOR);
   for (int f : {5, 300, 301, 900})
     constraints[Mesh::Face_index(f)] = Vector(1, 2, 3 + f);
-  const QL::Cross_field field =
-    QL::compute_cross_field(mesh, params::face_constraint_map(constraints).curvature_alignment(0));
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, params::face_constraint_map(constraints).curvature_alignment(0));
   check_invariants(field);
   for (int f : {5, 300, 301, 900}) {
     const Eigen::Vector3d v(1, 2, 3 + f), n = field.surface().normal(f);
@@ -391,8 +391,8 @@ BOOST_AUTO_TEST_CASE(given_directions_are_kept)
     if (n.x() != 0)
       directions[f] = Vector(7, -5, 0);
   }
-  const QL::Cross_field field =
-    QL::compute_cross_field(mesh, params::face_direction_map(directions));
+  const QL::Cross_field field = QL::compute_cross_field(mesh,
+                                                        params::face_direction_map(directions));
   check_invariants(field);
   BOOST_TEST(field.number_of_singularities() == 8);
   for (auto f : faces(mesh)) {
@@ -403,8 +403,8 @@ BOOST_AUTO_TEST_CASE(given_directions_are_kept)
   }
 
   // all faces constrained: the same directions
-  const QL::Cross_field again =
-    QL::compute_cross_field(mesh, params::face_constraint_map(directions));
+  const QL::Cross_field again = QL::compute_cross_field(mesh,
+                                                        params::face_constraint_map(directions));
   BOOST_TEST(indices(again) == indices(field), boost::test_tools::per_element());
 }
 
@@ -425,7 +425,7 @@ BOOST_AUTO_TEST_CASE(impossible_directions_are_refused)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  Mesh mesh = generated::tetrahedron();                // face 0 is normal to the z-axis
+  Mesh mesh = generated::tetrahedron(); // face 0 is normal to the z-axis
   Face_vectors directions = vectors_on(mesh, Vector(1, 3, 9));
   const auto expect = [&](const auto& np, const Vector& v, const char* text) {
     directions[Mesh::Face_index(0)] = v;

@@ -17,10 +17,10 @@
 BOOST_AUTO_TEST_SUITE(test_extract_quad_layout)
 
 namespace QL = CGAL::Quad_layouts;
+using boost::test_tools::per_element;
 using QL::Quad_layout;
 using QL::T_mesh;
 using QL::internal::examine_quotient;
-using boost::test_tools::per_element;
 using Arcs = std::vector<int>;
 
 namespace {
@@ -34,7 +34,10 @@ QL::Quantization quantization(Arcs lengths)
 }
 
 // lengths of a box
-Arcs box(int x, int y, int z) { return {x, x, x, x, y, y, y, y, z, z, z, z}; }
+Arcs box(int x, int y, int z)
+{
+  return {x, x, x, x, y, y, y, y, z, z, z, z};
+}
 
 // lengths of hand_made::torus(columns.size(), rows.size())
 Arcs torus_lengths(const Arcs& columns, const Arcs& rows)
@@ -257,8 +260,8 @@ BOOST_AUTO_TEST_CASE(cuts_and_counts_agree)
     for (const auto& [cut, is_exact] : report.cuts)
       BOOST_TEST(std::all_of(cut.begin(), cut.end(), [&](int a) { return lengths[a] == 0; }));
     const auto is_positive = [](int n) { return n > 0; };
-    const bool expected = std::any_of(columns.begin(), columns.end(), is_positive)
-                       && std::any_of(rows.begin(), rows.end(), is_positive);
+    const bool expected = std::any_of(columns.begin(), columns.end(), is_positive) &&
+                          std::any_of(rows.begin(), rows.end(), is_positive);
     BOOST_TEST(report.valid == expected);
     valid += report.valid;
   }

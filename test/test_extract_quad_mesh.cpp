@@ -42,10 +42,22 @@ Quad_layout layout_of(const QL::T_mesh& t, Arcs lengths)
   return QL::extract_quad_layout(t, quantization);
 }
 
-Quad_layout cube() { return layout_of(hand_made::cube(), Arcs(12, 1)); }
-Quad_layout box() { return layout_of(hand_made::cube(), {3, 3, 3, 3, 2, 2, 2, 2, 1, 1, 1, 1}); }
-Quad_layout pillow() { return layout_of(hand_made::cube(), {0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}); }
-Quad_layout torus(int m, int n) { return layout_of(hand_made::torus(m, n), Arcs(2 * m * n, 1)); }
+Quad_layout cube()
+{
+  return layout_of(hand_made::cube(), Arcs(12, 1));
+}
+Quad_layout box()
+{
+  return layout_of(hand_made::cube(), {3, 3, 3, 3, 2, 2, 2, 2, 1, 1, 1, 1});
+}
+Quad_layout pillow()
+{
+  return layout_of(hand_made::cube(), {0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1});
+}
+Quad_layout torus(int m, int n)
+{
+  return layout_of(hand_made::torus(m, n), Arcs(2 * m * n, 1));
+}
 
 Arcs lengths_for(const Quad_layout& layout)
 {
@@ -119,7 +131,7 @@ BOOST_AUTO_TEST_CASE(random_maps_and_fractional_divisions)
     for (unsigned seed = 0; seed < 4; ++seed) {
       synthetic::Options options;
       options.seed = seed;
-      options.jitter = seed % 2 ? 0.2 : 0;        // without: lines along edges, through vertices
+      options.jitter = seed % 2 ? 0.2 : 0; // without: lines along edges, through vertices
       const Integer_grid_map map = synthetic::make_map(layout, lengths_for(layout), options);
       Mesh as_map, fine;
       QL::extract_quad_mesh(map, layout, as_map);
@@ -137,9 +149,10 @@ BOOST_AUTO_TEST_CASE(maps_that_are_filled)
   const auto patch = mesh.add_property_map<Mesh::Face_index, int>("patch").first;
   const auto is_node = mesh.add_property_map<Mesh::Vertex_index, bool>("node").first;
   const auto is_layout_edge = mesh.add_property_map<Mesh::Edge_index, bool>("separatrix").first;
-  QL::extract_quad_mesh(map, layout, mesh, QL::parameters::face_patch_map(patch)
-                                             .vertex_is_layout_node_map(is_node)
-                                             .edge_is_layout_edge_map(is_layout_edge));
+  QL::extract_quad_mesh(map, layout, mesh,
+                        QL::parameters::face_patch_map(patch)
+                            .vertex_is_layout_node_map(is_node)
+                            .edge_is_layout_edge_map(is_layout_edge));
   std::vector<int> quads(6, 0);
   for (const auto f : faces(mesh))
     ++quads.at(patch[f]);
@@ -241,15 +254,15 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range)
   const Quad_layout layout = cube();
   const Integer_grid_map map = synthetic::make_map(layout, {3, 3, 3});
   Mesh mesh;
-  for (double length : {0., -1., std::numeric_limits<double>::infinity(),
-                        std::numeric_limits<double>::quiet_NaN()})
-    BOOST_CHECK_THROW(QL::extract_quad_mesh(map, layout, mesh,
-                                            QL::parameters::target_edge_length(length)),
-                      QL::Invalid_parameter);
+  for (double length :
+       {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(
+        QL::extract_quad_mesh(map, layout, mesh, QL::parameters::target_edge_length(length)),
+        QL::Invalid_parameter);
   // more quads than can be numbered
-  BOOST_CHECK_THROW(QL::extract_quad_mesh(map, layout, mesh,
-                                          QL::parameters::target_edge_length(1e-9)),
-                    QL::Stage_failure);
+  BOOST_CHECK_THROW(
+      QL::extract_quad_mesh(map, layout, mesh, QL::parameters::target_edge_length(1e-9)),
+      QL::Stage_failure);
   BOOST_TEST(num_vertices(mesh) == 0u);
 }
 

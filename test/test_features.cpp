@@ -18,8 +18,8 @@
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cmath>
 #include <functional>
@@ -124,11 +124,11 @@ BOOST_AUTO_TEST_CASE(a_pair_between_fixed_edges_merges)
     const auto h = halfedge(f, mesh);
     const auto c = CGAL::centroid(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
                                   mesh.point(target(next(h, mesh), mesh)));
-    const double angle = (std::atan2(c.y() - 0.5, c.x() - 0.25) -
-                          std::atan2(c.y() - 0.5, c.x() - 0.75)) / 4;
-    direction[f] = c.z() > 1 - 1e-9  ? generated::Vector(std::cos(angle), std::sin(angle), 0)
-                   : c.z() < 1e-9    ? generated::Vector(1, 0, 0)
-                                     : generated::Vector(0, 0, 1);
+    const double angle =
+        (std::atan2(c.y() - 0.5, c.x() - 0.25) - std::atan2(c.y() - 0.5, c.x() - 0.75)) / 4;
+    direction[f] = c.z() > 1 - 1e-9 ? generated::Vector(std::cos(angle), std::sin(angle), 0)
+                   : c.z() < 1e-9   ? generated::Vector(1, 0, 0)
+                                    : generated::Vector(0, 0, 1);
   }
   const QL::Cross_field field = QL::compute_cross_field(
       mesh, parameters::face_direction_map(direction).edge_is_constrained_map(is_feature));
@@ -154,12 +154,12 @@ BOOST_AUTO_TEST_CASE(quad_vertices_stay_on_the_edges_of_a_cube)
   double length = 0, expected = 0;
   for (const auto e : edges(mesh))
     if (is_feature[e])
-      expected += std::sqrt(CGAL::squared_distance(mesh.point(source(e, mesh)),
-                                                   mesh.point(target(e, mesh))));
+      expected += std::sqrt(
+          CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh))));
   for (const auto e : edges(quads))
     if (on_feature[e])
-      length += std::sqrt(CGAL::squared_distance(quads.point(source(e, quads)),
-                                                 quads.point(target(e, quads))));
+      length += std::sqrt(
+          CGAL::squared_distance(quads.point(source(e, quads)), quads.point(target(e, quads))));
   BOOST_TEST(length == expected, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(QL::measure_quad_mesh(quads).msj_minimum > 0.9);
 }
@@ -169,9 +169,8 @@ BOOST_AUTO_TEST_CASE(curves_on_a_plate)
 {
   Mesh mesh = generated::plate_with_holes(2, 2, {}, 4);
   const auto on_line = [](const generated::Point& p) { return p.y() == 1; };
-  const Result r = run(mesh, features(mesh, [&](const auto& p, const auto& q) {
-                         return on_line(p) && on_line(q);
-                       }));
+  const Result r = run(
+      mesh, features(mesh, [&](const auto& p, const auto& q) { return on_line(p) && on_line(q); }));
   BOOST_TEST(r.layout.number_of_patches == 2);
   Mesh other = generated::plate_with_holes(2, 2, {}, 4);
   const Result s = run(other, features(other, [&](const auto& p, const auto& q) {

@@ -32,7 +32,7 @@ QL::Quad_layout layout_of(const QL::T_mesh& t, std::vector<int> lengths)
 BOOST_AUTO_TEST_CASE(box)
 {
   const auto measures = QL::measure_quad_layout(
-    layout_of(hand_made::cube(), {2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1}));
+      layout_of(hand_made::cube(), {2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1}));
   BOOST_TEST(measures.vertices == 12);
   BOOST_TEST(measures.edges == 20);
   BOOST_TEST(measures.faces == 10);
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(box)
 BOOST_AUTO_TEST_CASE(torus)
 {
   const auto measures = QL::measure_quad_layout(
-    layout_of(hand_made::torus(2, 3), std::vector<int>(12, 1)));
+      layout_of(hand_made::torus(2, 3), std::vector<int>(12, 1)));
   BOOST_TEST(measures.irregular_vertices == 0);
   BOOST_TEST(measures.patches == 1);
   BOOST_TEST(measures.patches_floor == 0);

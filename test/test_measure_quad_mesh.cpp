@@ -4,7 +4,6 @@
 //
 // Author(s) : The Quad_layouts authors
 
-
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 
 #include "generated_quad_meshes.h"

@@ -221,8 +221,8 @@ BOOST_AUTO_TEST_CASE(no_displacement_keeps_all_singularities)
 {
   for (unsigned seed = 1; seed <= 9; ++seed)
     BOOST_TEST_CONTEXT("random field " << seed)
-    check_that_all_remain(generated::random_field(
-        seed % 2 == 0 ? generated::icosphere(1) : generated::torus(10, 6), seed));
+  check_that_all_remain(generated::random_field(
+      seed % 2 == 0 ? generated::icosphere(1) : generated::torus(10, 6), seed));
   generated::Mesh mesh;
   const std::string path = CGAL::data_file_path("meshes/triceratops.off");
   if (std::ifstream(path) && CGAL::IO::read_polygon_mesh(path, mesh))

@@ -70,7 +70,7 @@ void check_stopping_rule(const QL::T_mesh& t, double alpha, double r)
 QL::T_mesh trace(const QL::Cross_field& field, double alpha, double r)
 {
   const QL::T_mesh t = QL::trace_motorcycle_graph(
-    field, parameters::maximum_deviation(alpha).maximum_displacement(r));
+      field, parameters::maximum_deviation(alpha).maximum_displacement(r));
   invariants::check_t_mesh(t);
   invariants::check_distances(t);
   return t;
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(order_along_an_edge_is_that_of_insertion_limits)
 {
   QL::internal::Edge_order order(1);
   const int a = order.insert(0, 0.5, -1, -1);
-  const int b = order.insert(0, 0.9, -1, a);       // proposed behind a, but limited by it
+  const int b = order.insert(0, 0.9, -1, a); // proposed behind a, but limited by it
   const int c = order.insert(0, 0.1, a, -1);
   const int d = order.insert(0, 0.5, b, a);
   BOOST_TEST(order.points(0) == (std::vector<int>{b, d, a, c}), boost::test_tools::per_element());
@@ -105,8 +105,8 @@ BOOST_AUTO_TEST_CASE(order_along_an_edge_survives_a_thousand_insertions_in_one_p
   expected.push_back(last);
   BOOST_TEST((order.points(0) == expected));
   BOOST_TEST(invariants::violations(1001, [&](int i) {
-    return order.rank(expected[i]) < order.rank(expected[i + 1]);
-  }) == 0);
+               return order.rank(expected[i]) < order.rank(expected[i + 1]);
+             }) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(equal_lengths_are_ordered_by_trace)
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(random_fields)
     std::mt19937 random(seed);
     const double alpha = 1 + random() % 88, r = random() % 5;
     BOOST_TEST_CONTEXT("seed " << seed << ", deviation " << alpha << ", displacement " << r)
-      trace(random_field(meshes[seed % meshes.size()], seed), alpha, r);
+    trace(random_field(meshes[seed % meshes.size()], seed), alpha, r);
   }
 }
 
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(random_fields_with_borders)
     std::mt19937 random(seed);
     const double alpha = 1 + random() % 88, r = random() % 5;
     BOOST_TEST_CONTEXT("seed " << seed << ", deviation " << alpha << ", displacement " << r)
-      trace(random_field(meshes[seed % meshes.size()], seed), alpha, r);
+    trace(random_field(meshes[seed % meshes.size()], seed), alpha, r);
   }
 }
 
@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(models)
       continue;
     }
     BOOST_TEST_CONTEXT(name)
-      trace(QL::compute_cross_field(mesh), 15, 2);
+    trace(QL::compute_cross_field(mesh), 15, 2);
   }
 }
 
@@ -304,8 +304,8 @@ BOOST_AUTO_TEST_CASE(longer_target_edges_allow_more_displacement)
   const QL::Cross_field field = QL::compute_cross_field(generated::cube(6));
   const double diagonal = field.surface().diagonal();
   const QL::T_mesh a = QL::trace_motorcycle_graph(field, parameters::maximum_displacement(4));
-  const QL::T_mesh b =
-    QL::trace_motorcycle_graph(field, parameters::target_edge_length(0.02 * diagonal));
+  const QL::T_mesh b = QL::trace_motorcycle_graph(field,
+                                                  parameters::target_edge_length(0.02 * diagonal));
   BOOST_TEST((a.halfedge_next == b.halfedge_next));
 }
 

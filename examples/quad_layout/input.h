@@ -107,7 +107,8 @@ inline Directions read_field(const std::string& file, Mesh& mesh)
   std::ifstream in(file);
   if (!in)
     throw Input_error(file + ": no such file");
-  Directions result = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:direction").first;
+  Directions result =
+      mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:direction").first;
   if (const auto format = field_format(file))
     CGAL::Quad_layouts::IO::read_cross_field(in, *format, mesh, result);
   else

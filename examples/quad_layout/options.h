@@ -24,19 +24,19 @@ struct Options
 {
   std::string input;
   std::string output = ".";
-  std::string field;           // a file, or empty; so are these:
+  std::string field; // a file, or empty; so are these:
   std::string written_field;
-  std::string program;         // to write
-  std::string solution;        // to read
-  std::string solver = "glpk"; // or "cbc" or "highs"
+  std::string program;                    // to write
+  std::string solution;                   // to read
+  std::string solver = "glpk";            // or "cbc" or "highs"
   std::string field_method = "diffusion"; // or "mixed-integer"
   std::string route = "field";            // or "parametrization"
-  double alpha = 15;           // degrees
-  double displacement = 2;     // target edge lengths
-  double edge_length = 0.01;   // of the diagonal of the bounding box
+  double alpha = 15;                      // degrees
+  double displacement = 2;                // target edge lengths
+  double edge_length = 0.01;              // of the diagonal of the bounding box
   double time_limit = std::numeric_limits<double>::infinity(); // seconds
   double search_limit = 30;                                    // seconds
-  double features = 0;         // degrees; 0: none
+  double features = 0;                                         // degrees; 0: none
   int min_valence = 3;
   int max_valence = 8;
   bool repair = false;
@@ -64,12 +64,15 @@ inline const char* usage()
          "  --max-valence N        greatest valence of a vertex (8)\n"
          "  --solver NAME          of the integer program: glpk, cbc or highs (glpk)\n"
          "  --search-limit S       for the search of the integer program, in seconds (30)\n"
-         "  --time-limit S         for everything, in seconds; the search gets at most half of what\n"
+         "  --time-limit S         for everything, in seconds; the search gets at most half of "
+         "what\n"
          "                         is left when it begins (none)\n"
-         "  --field FILE           a cross field: .rosy, .rawfield or .ffield, or else a line \"x y z\"\n"
+         "  --field FILE           a cross field: .rosy, .rawfield or .ffield, or else a line \"x "
+         "y z\"\n"
          "                         for each face\n"
          "  --field-method NAME    of smooth fields: diffusion or mixed-integer (diffusion)\n"
-         "  --route NAME           what layout lines follow: the field, or a seamless parametrization\n"
+         "  --route NAME           what layout lines follow: the field, or a seamless "
+         "parametrization\n"
          "                         if one is found: field or parametrization (field)\n"
          "  --write-field FILE     where to write the field, as .rosy, .rawfield or .ffield\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"

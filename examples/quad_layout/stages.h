@@ -154,8 +154,9 @@ QL::Cross_field field_of(Mesh& mesh, const Options& options, const EdgeMap& feat
   const auto np = QL::parameters::visitor(std::ref(progress))
                       .edge_is_constrained_map(features)
                       .maximum_running_time(seconds)
-                      .cross_field_method(options.field_method == "mixed-integer" ? QL::MIXED_INTEGER
-                                                                                  : QL::DIFFUSION);
+                      .cross_field_method(options.field_method == "mixed-integer"
+                                              ? QL::MIXED_INTEGER
+                                              : QL::DIFFUSION);
   if (options.field.empty())
     return QL::compute_cross_field(mesh, np);
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
@@ -231,10 +232,10 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
       r.quads.add_property_map<Mesh::Edge_index, bool>("e:is_layout_edge", false).first;
 
   const auto features = sharp_edges(mesh, options.features);
-  const auto on_feature = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_feature", false)
-                              .first;
-  r.field = clock("field", [&] { return field_of(mesh, options, features, progress,
-                                                  clock.seconds_left()); });
+  const auto on_feature =
+      r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_feature", false).first;
+  r.field = clock(
+      "field", [&] { return field_of(mesh, options, features, progress, clock.seconds_left()); });
   if (!options.written_field.empty())
     write_field(options.written_field, r.field);
   r.t_mesh = clock("trace", [&] { return QL::compute_t_mesh(r.field, limited()); });
@@ -261,9 +262,8 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                          QL::parameters::default_values().edge_is_constrained_map(features));
   });
   clock.finish();
-  r.quality = QL::measure_quad_mesh(r.quads,
-                                    QL::parameters::default_values().edge_is_constrained_map(
-                                        on_feature));
+  r.quality = QL::measure_quad_mesh(
+      r.quads, QL::parameters::default_values().edge_is_constrained_map(on_feature));
 }
 
 #endif // QUAD_LAYOUTS_EXAMPLES_STAGES_H

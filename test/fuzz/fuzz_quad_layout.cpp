@@ -69,7 +69,8 @@ struct Treatment
 void make_layout(Mesh& mesh, const Treatment& treatment)
 {
   constexpr double seconds = 1;
-  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  const auto is_feature =
+      mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
   if (treatment.keep_features)
     CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 40, is_feature);
   const auto np = QL::parameters::maximum_deviation(treatment.alpha)

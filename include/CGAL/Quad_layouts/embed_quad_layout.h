@@ -83,9 +83,8 @@ Integer_grid_map embed_quad_layout(const T_mesh& t_mesh, const Quad_layout& layo
 {
   const double h = internal::target_edge_length(t_mesh.surface(), np);
   const internal::Monitor monitor = internal::monitor_from(np);
-  return monitor.run("embed_quad_layout", [&] {
-    return internal::Layout_embedding(t_mesh, layout, h, monitor).map();
-  });
+  return monitor.run("embed_quad_layout",
+                     [&] { return internal::Layout_embedding(t_mesh, layout, h, monitor).map(); });
 }
 
 } // namespace Quad_layouts

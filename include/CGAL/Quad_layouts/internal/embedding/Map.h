@@ -102,8 +102,8 @@ inline Map make_map(const Curve_mesh& mesh, const Layout_squares& squares,
                              : Map::ALONG_Y;
       chart = squares.across(mesh.curve[Curve_mesh::prev(h)]).after(chart);
     }
-    CGAL_assertion_code(const bool on_border =
-                            !around.empty() && mesh.opposite(around.front()) < 0);
+    CGAL_assertion_code(const bool on_border = !around.empty() &&
+                                               mesh.opposite(around.front()) < 0);
     CGAL_assertion(is_cone[v] || on_border ||
                    (chart.quarter_turns == 0 && chart.translation.isZero(0)));
   }

@@ -108,8 +108,7 @@ private:
       std::array<Point2, 3> d;
       for (int k = 0; k < 3; ++k)
         d[k] = Chart_change::turned(move_of(face.vertex[k], move), face.chart[k].quarter_turns);
-      longest = (std::min)(longest,
-                           0.9 * first_loss_of_area(x, d));
+      longest = (std::min)(longest, 0.9 * first_loss_of_area(x, d));
     }
     return longest;
   }

@@ -352,7 +352,7 @@ private:
   const Triangle_surface& m_surface;
   std::vector<int> m_first_crossing, m_node_vertex, m_first_of_edge, m_first_of_arc;
   std::vector<std::vector<int>> m_halves_along; // per arc that runs along edges, in its direction
-  std::vector<std::vector<int>> m_outgoing; // per vertex, counter-clockwise
+  std::vector<std::vector<int>> m_outgoing;     // per vertex, counter-clockwise
   std::vector<Half> m_half;
   std::vector<int> m_first_half, m_patch; // per piece
 };

@@ -67,7 +67,7 @@ public:
     Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
     for (const Triangle& t : m_triangles)
       add_derivatives(t, x, gradient, hessian);
-    const Point2 move = m_freedom == Map::FREE ? Point2(-hessian.inverse() * gradient)
+    const Point2 move = m_freedom == Map::FREE      ? Point2(-hessian.inverse() * gradient)
                         : m_freedom == Map::ALONG_X ? Point2(-gradient.x() / hessian(0, 0), 0)
                                                     : Point2(0, -gradient.y() / hessian(1, 1));
     const double before = value(x);

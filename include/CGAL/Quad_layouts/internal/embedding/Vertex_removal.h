@@ -46,8 +46,8 @@ public:
   Vertex_removal(Map& map, const std::vector<int>& ends, const std::vector<char>& is_cone)
     : m_map(map), m_is_cone(is_cone), m_star(stars(map)), m_kind(map.points.size(), FREE),
       m_on_border(map.points.size(), 0), m_is_present(map.faces.size(), 1),
-      m_number_of_faces(int(map.faces.size())),
-      m_is_queued(map.points.size(), 0), m_seen(map.points.size(), 0)
+      m_number_of_faces(int(map.faces.size())), m_is_queued(map.points.size(), 0),
+      m_seen(map.points.size(), 0)
   {
     for (const Map::Face& f : map.faces)
       for (int k = 0; k < 3; ++k)

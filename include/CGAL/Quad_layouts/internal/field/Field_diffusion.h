@@ -121,7 +121,7 @@ private:
         diagonal += m_connection->weight(surface.edge(h));
         if (j < 0)
           m_constant[i] += coupling(g) * m_value[surface.face(g)];
-        else if (j < i)                               // the solver reads the lower triangle
+        else if (j < i) // the solver reads the lower triangle
           entries.emplace_back(i, j, -coupling(g));
       }
       entries.emplace_back(i, i, diagonal);

@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  static constexpr double smallest_crease = 0.7;       // radians, about 40 degrees
+  static constexpr double smallest_crease = 0.7; // radians, about 40 degrees
   static constexpr double bound = 0.05;
 
   std::vector<Complex> m_pull;

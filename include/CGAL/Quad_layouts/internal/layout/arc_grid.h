@@ -85,7 +85,7 @@ private:
     const T_mesh& t = *m_t_mesh;
     m_number_of_points = t.number_of_vertices();
     for (int n = 0; n < t.number_of_vertices(); ++n)
-      m_place.push_back(t.is_on_border(n)         ? ON_BORDER
+      m_place.push_back(t.is_on_border(n)        ? ON_BORDER
                         : t.is_on_fixed_curve(n) ? ON_FIXED_CURVE
                                                  : INSIDE);
     m_first_segment.reserve(m_length.size());
@@ -131,9 +131,9 @@ private:
     const auto& side = m_sides[patch][k];
     const auto& other = m_sides[patch][k + 2];
     if (side.size() != other.size())
-      throw Stage_failure("layout: opposite sides of patch " + std::to_string(patch)
-                          + " have lengths " + std::to_string(side.size()) + " and "
-                          + std::to_string(other.size()));
+      throw Stage_failure("layout: opposite sides of patch " + std::to_string(patch) +
+                          " have lengths " + std::to_string(side.size()) + " and " +
+                          std::to_string(other.size()));
     if (!m_sides[patch][1 - k].empty())
       return;
     for (std::size_t i = 0; i < side.size(); ++i) {
@@ -145,10 +145,10 @@ private:
   const T_mesh* m_t_mesh;
   std::vector<int> m_length;
   int m_number_of_points = 0;
-  std::vector<Place> m_place;           // per point
-  std::vector<int> m_first_segment;     // per arc
-  std::vector<int> m_arc;               // per segment
-  std::vector<int> m_source, m_across;  // per half-segment
+  std::vector<Place> m_place;          // per point
+  std::vector<int> m_first_segment;    // per arc
+  std::vector<int> m_arc;              // per segment
+  std::vector<int> m_source, m_across; // per half-segment
   std::vector<std::array<std::vector<int>, 4>> m_sides;
 };
 

@@ -78,8 +78,8 @@ inline void relate_to_t_mesh(const Glued_squares& squares, const std::vector<int
   for (int s = 0; s < grid.number_of_half_segments(); s += 2) {
     const int left = squares.side_on(s);
     layout.arc_halfedges[grid.arc(s)].push_back(
-      left >= 0 ? halfedge_of_side[left]
-                : Quad_layout::opposite(halfedge_of_side[squares.side_on(s + 1)]));
+        left >= 0 ? halfedge_of_side[left]
+                  : Quad_layout::opposite(halfedge_of_side[squares.side_on(s + 1)]));
     if (grid.t_mesh().is_fixed(grid.arc(s)))
       layout.edge_is_fixed[Quad_layout::edge(layout.arc_halfedges[grid.arc(s)].back())] = 1;
   }

@@ -26,7 +26,7 @@ namespace internal {
 inline std::vector<int> chords_in_conflict(const Divided_layout& divided)
 {
   const Quad_layout& layout = divided.layout();
-  std::vector<std::tuple<int, int, int>> edges;           // ends, chord that the edge is a part of
+  std::vector<std::tuple<int, int, int>> edges; // ends, chord that the edge is a part of
   divided.for_each_quad([&](int f, const std::array<int, 4>& quad) {
     // each edge is seen from both sides, once in the direction of x or y, once against it
     const int h = layout.halfedge_of(f);
@@ -43,8 +43,8 @@ inline std::vector<int> chords_in_conflict(const Divided_layout& divided)
   std::vector<int> result;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto& [source, target, chord] = edges[i];
-    const bool repeats = i > 0 && std::get<0>(edges[i - 1]) == source
-                               && std::get<1>(edges[i - 1]) == target;
+    const bool repeats = i > 0 && std::get<0>(edges[i - 1]) == source &&
+                         std::get<1>(edges[i - 1]) == target;
     if (repeats)
       result.push_back(std::get<2>(edges[i - 1]));
     if (repeats || source == target)
@@ -86,7 +86,7 @@ inline void raise_loops(const Quad_layout& layout, std::vector<int>& divisions)
 // edges have about the given length.
 inline std::vector<int> chord_divisions(const Quad_layout& layout, double target_edge_length)
 {
-  constexpr double most = 1 << 24;            // Divided_layout refuses such numbers
+  constexpr double most = 1 << 24; // Divided_layout refuses such numbers
   std::vector<int> result;
   for (double length : layout.chord_length)
     result.push_back(int(std::clamp(std::round(length / target_edge_length), 1., most)));

@@ -102,8 +102,8 @@ private:
   }
 
   const Quad_layout* m_layout;
-  std::vector<int> m_divisions;                         // per chord
-  std::vector<int> m_first_on_edge, m_first_in_face;    // number of the first vertex inside
+  std::vector<int> m_divisions;                      // per chord
+  std::vector<int> m_first_on_edge, m_first_in_face; // number of the first vertex inside
   int m_number_of_vertices;
 };
 

@@ -28,8 +28,7 @@ namespace internal {
 class Fibre_loops
 {
 public:
-  Fibre_loops(const Fibres& fibres, int fibre)
-    : m_fibres(fibres), m_fibre(fibres.fibre(fibre))
+  Fibre_loops(const Fibres& fibres, int fibre) : m_fibres(fibres), m_fibre(fibres.fibre(fibre))
   {
     for (std::size_t i = 0; i < m_fibre.points.size(); ++i)
       m_local[m_fibre.points[i]] = int(i);
@@ -94,7 +93,7 @@ public:
   }
 
 private:
-  static constexpr int maximum_number_of_roots = 100;   // bounds the work in huge fibres
+  static constexpr int maximum_number_of_roots = 100; // bounds the work in huge fibres
 
   struct Neighbour
   {
@@ -102,9 +101,9 @@ private:
   };
   struct Tree
   {
-    std::vector<int> distance, parent, connection;      // per local point; -1 at roots
+    std::vector<int> distance, parent, connection; // per local point; -1 at roots
   };
-  using Loop = std::pair<int, int>;                     // length, connection that closes it
+  using Loop = std::pair<int, int>; // length, connection that closes it
 
   Tree shortest_paths(const std::vector<int>& roots) const
   {
@@ -146,7 +145,7 @@ private:
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 
-    const int outside = int(m_fibre.patches.size());     // one dual node for all that is not filled
+    const int outside = int(m_fibre.patches.size()); // one dual node for all that is not filled
     Disjoint_sets sets(outside + 1);
     const auto dual_node = [&](int patch) { return patch < 0 ? outside : m_local_patch.at(patch); };
     std::vector<Loop> result;
@@ -189,8 +188,8 @@ private:
 
   const Fibres& m_fibres;
   const Fibre& m_fibre;
-  std::map<int, int> m_local, m_local_patch;             // numbers within the fibre
-  std::vector<std::vector<Neighbour>> m_incident;        // per local point
+  std::map<int, int> m_local, m_local_patch;      // numbers within the fibre
+  std::vector<std::vector<Neighbour>> m_incident; // per local point
 };
 
 } // namespace internal

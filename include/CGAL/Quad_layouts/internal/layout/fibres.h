@@ -23,9 +23,9 @@ namespace internal {
 // through a patch of zero extent at an integer height.
 struct Zero_connection
 {
-  int from, to;             // points
-  int arc;                  // -1 if it runs through a patch
-  int patch;                // -1 if it is an arc
+  int from, to; // points
+  int arc;      // -1 if it runs through a patch
+  int patch;    // -1 if it is an arc
 };
 
 // All that the quantization maps to one vertex of the quotient: points, the connections between
@@ -44,8 +44,7 @@ struct Fibre
 class Fibres
 {
 public:
-  explicit Fibres(const Arc_grid& grid)
-    : m_grid(&grid)
+  explicit Fibres(const Arc_grid& grid) : m_grid(&grid)
   {
     collect_connections();
     group_points();
@@ -113,7 +112,7 @@ private:
       const auto& side = m_grid->side(p, m_grid->width(p) == 0 ? 1 : 0);
       for (std::size_t i = 1; i < side.size(); ++i)
         m_connections.push_back(
-          {m_grid->source(side[i]), m_grid->target(m_grid->across(side[i])), -1, p});
+            {m_grid->source(side[i]), m_grid->target(m_grid->across(side[i])), -1, p});
     }
   }
 

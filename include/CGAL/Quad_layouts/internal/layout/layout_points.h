@@ -75,10 +75,9 @@ inline void interpolate_inside(const Quad_layout::Grid& grid, Quad_layout& layou
   for (int j = 1; j < h; ++j)
     for (int i = 1; i < w; ++i) {
       const double x = double(i) / w, y = double(j) / h;
-      point(i, j) = (1 - y) * point(i, 0) + y * point(i, h)
-                  + (1 - x) * point(0, j) + x * point(w, j)
-                  - (1 - x) * ((1 - y) * point(0, 0) + y * point(0, h))
-                  - x * ((1 - y) * point(w, 0) + y * point(w, h));
+      point(i, j) = (1 - y) * point(i, 0) + y * point(i, h) + (1 - x) * point(0, j) +
+                    x * point(w, j) - (1 - x) * ((1 - y) * point(0, 0) + y * point(0, h)) -
+                    x * ((1 - y) * point(w, 0) + y * point(w, h));
     }
 }
 
@@ -92,11 +91,10 @@ inline void place_vertices(const Fibres& fibres, const std::vector<int>& vertex_
   const std::vector<Point> points = points_on_arcs(fibres.grid());
   for (int f = 0; f < fibres.size(); ++f) {
     const std::vector<int>& of_fibre = fibres.fibre(f).points;
-    const auto on_curve = std::find_if(of_fibre.begin(), of_fibre.end(), [&](int p) {
-      return fibres.grid().is_on_fixed_curve(p);
-    });
+    const auto on_curve = std::find_if(of_fibre.begin(), of_fibre.end(),
+                                       [&](int p) { return fibres.grid().is_on_fixed_curve(p); });
     layout.vertex_point[vertex_of_fibre[f]] =
-      points[on_curve == of_fibre.end() ? of_fibre.front() : *on_curve];
+        points[on_curve == of_fibre.end() ? of_fibre.front() : *on_curve];
   }
   for (const Quad_layout::Cluster& c : layout.clusters)
     layout.vertex_point[c.vertex] = central_point(t, c.nodes);

@@ -96,8 +96,8 @@ private:
       const int h = a.layout_halfedge;
       if (m_layout.is_border(m_layout.turn_left(h)))
         continue;
-      if (m_start[h] != m_lines.entered(m_start[h])
-          || m_start[m_layout.turn_left(h)] != m_lines.entered(m_start[h].turned(1)))
+      if (m_start[h] != m_lines.entered(m_start[h]) ||
+          m_start[m_layout.turn_left(h)] != m_lines.entered(m_start[h].turned(1)))
         fail("directions at the anchor do not fit the map at the start of", h);
     }
   }
@@ -159,27 +159,27 @@ private:
         fail("the map folds at the end of", h);
     }
     const int twin = Quad_layout::opposite(h);
-    if (m_lines.along_border(end) != m_start[first]
-        || (!m_layout.is_border(twin) && m_lines.entered(end.turned(2)) != m_start[twin]))
+    if (m_lines.along_border(end) != m_start[first] ||
+        (!m_layout.is_border(twin) && m_lines.entered(end.turned(2)) != m_start[twin]))
       fail("the map has another end for", h);
   }
 
   [[noreturn]] void fail(const std::string& what, int h) const
   {
-    throw Stage_failure("quad mesh: " + what + " layout edge "
-                        + std::to_string(Quad_layout::edge(h)) + " (from vertex "
-                        + std::to_string(m_layout.source(h)) + " to "
-                        + std::to_string(m_layout.target(h)) + ")");
+    throw Stage_failure("quad mesh: " + what + " layout edge " +
+                        std::to_string(Quad_layout::edge(h)) + " (from vertex " +
+                        std::to_string(m_layout.source(h)) + " to " +
+                        std::to_string(m_layout.target(h)) + ")");
   }
 
   Line_tracer m_lines;
   const Integer_grid_map& m_map;
   const Quad_layout& m_layout;
-  std::vector<std::vector<double>> m_distances;           // per chord
-  std::vector<Map_heading> m_start;                       // per halfedge of the layout
-  std::vector<std::vector<Map_heading>> m_stops;          // per edge, along its first halfedge
+  std::vector<std::vector<double>> m_distances;  // per chord
+  std::vector<Map_heading> m_start;              // per halfedge of the layout
+  std::vector<std::vector<Map_heading>> m_stops; // per edge, along its first halfedge
   std::vector<std::vector<Eigen::Vector3d>> m_curves;
-  std::queue<int> m_queue;                                // halfedges whose start is known
+  std::queue<int> m_queue; // halfedges whose start is known
 };
 
 } // namespace internal

@@ -78,12 +78,12 @@ void build_mesh(const Divided_layout& divided, const std::vector<Eigen::Vector3d
                                           get_property_map(CGAL::vertex_point, mesh));
   using Point_3 = typename boost::property_traits<decltype(point_map)>::value_type;
   const auto patch_map = choose_parameter(get_parameter(np, internal_np::face_patch), No_map());
-  const auto node_map =
-    choose_parameter(get_parameter(np, internal_np::vertex_is_layout_node_map), No_map());
-  const auto edge_map =
-    choose_parameter(get_parameter(np, internal_np::edge_is_layout_edge_map), No_map());
-  const auto fixed_map =
-    choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_map());
+  const auto node_map = choose_parameter(get_parameter(np, internal_np::vertex_is_layout_node_map),
+                                         No_map());
+  const auto edge_map = choose_parameter(get_parameter(np, internal_np::edge_is_layout_edge_map),
+                                         No_map());
+  const auto fixed_map = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                          No_map());
 
   const Quad_layout& layout = divided.layout();
   const std::vector<char> is_node = layout_nodes(layout);

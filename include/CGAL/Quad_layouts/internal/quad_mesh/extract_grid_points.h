@@ -34,8 +34,8 @@ inline void locate_inside_face(const Layout_tracer& tracer, const Divided_layout
     if (up.is_valid())
       line = lines.follow(up, tracer.distances(right));
     if (int(line.size()) != h || lines.entered(line.back().turned(2)) != down)
-      throw Stage_failure("quad mesh: grid lines do not join opposite sides of layout face "
-                          + std::to_string(f));
+      throw Stage_failure("quad mesh: grid lines do not join opposite sides of layout face " +
+                          std::to_string(f));
     for (int j = 1; j < h; ++j)
       location[divided.vertex_in(f, i, j)] = line[j - 1];
   }

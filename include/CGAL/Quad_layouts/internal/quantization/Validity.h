@@ -43,7 +43,7 @@ public:
     for (const Quotient_cut& cut : report.cuts)
       add({m_program.set_of(cut.arcs), {}, cut.is_exact});
     for (const Merged_cluster& cluster : report.clusters)
-      if (!is_legal(cluster) && add(cut_of(cluster)))
+      if (!is_legal(cluster) && (add(cut_of(cluster)) || has_valence_below_two(cluster)))
         valid = false;
     for (const Close_pair& pair : m_paper.separate)
       if (are_merged(report, pair.i, pair.j)) {
@@ -59,6 +59,14 @@ private:
     const auto singularities = std::count_if(cluster.nodes.begin(), cluster.nodes.end(),
                                              [&](int n) { return m_t_mesh.index(n) != 0; });
     return excess(cluster) == 0 && (singularities < 2 || !m_paper.pairs.empty());
+  }
+
+  // says if no mesh of quadrilaterals has the vertex of a cluster
+  bool has_valence_below_two(const Merged_cluster& cluster) const
+  {
+    const bool is_on_border = std::any_of(cluster.nodes.begin(), cluster.nodes.end(),
+                                          [&](int n) { return m_t_mesh.is_on_border(n); });
+    return cluster.index > (is_on_border ? 1 : 2);
   }
 
   // how far the index of a cluster is outside the range of its members
@@ -107,7 +115,7 @@ private:
       throw inseparable(m_t_mesh, pair.i, pair.j);
   }
 
-  // returns false if the cut asks for what no consistent quantization has: this must be put up with
+  // returns false if the cut asks for what no consistent quantization has
   bool add(Reduced_program::Cut cut)
   {
     if (cut.variables.empty())

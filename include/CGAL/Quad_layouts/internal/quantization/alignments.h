@@ -35,8 +35,7 @@ public:
   static constexpr double tolerance = 0.025; // slope
 
   // `prefixes`: per trace the numbers of arcs whose sum must be positive, ascending
-  Alignments(const T_mesh& t_mesh, const Runs& runs,
-             const std::vector<std::vector<int>>& prefixes)
+  Alignments(const T_mesh& t_mesh, const Runs& runs, const std::vector<std::vector<int>>& prefixes)
     : m_t_mesh(t_mesh), m_runs(runs), m_prefixes(prefixes)
   {
     for (std::size_t t = 0; t < t_mesh.traces.size(); ++t)

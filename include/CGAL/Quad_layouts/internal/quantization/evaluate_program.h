@@ -103,10 +103,9 @@ private:
   bool satisfies(const std::vector<std::vector<std::pair<int, int>>>& equations) const
   {
     return std::all_of(equations.begin(), equations.end(), [&](const auto& equation) {
-      return std::accumulate(equation.begin(), equation.end(), 0L,
-                             [&](long sum, const auto& term) {
-                               return sum + long(term.second) * m_x[term.first];
-                             }) == 0;
+      return std::accumulate(equation.begin(), equation.end(), 0L, [&](long sum, const auto& term) {
+               return sum + long(term.second) * m_x[term.first];
+             }) == 0;
     });
   }
 

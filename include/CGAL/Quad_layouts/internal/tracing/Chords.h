@@ -43,19 +43,19 @@ public:
   struct Chord
   {
     int trace;
-    int step;                    // the position in the sequence of chords of its trace
+    int step; // the position in the sequence of chords of its trace
     int face;
-    int direction;               // in the cross of the face
+    int direction; // in the cross of the face
     End from, to;
-    double begin, end;           // the length of the trace at both ends
-    std::vector<int> crossings;  // in the order of travel
+    double begin, end;          // the length of the trace at both ends
+    std::vector<int> crossings; // in the order of travel
   };
 
   struct Crossing
   {
     int chord[2];
-    double length[2];            // of the trace of either chord from its start
-    bool confirmed;              // both traces do get here: the crossing is a node
+    double length[2]; // of the trace of either chord from its start
+    bool confirmed;   // both traces do get here: the crossing is a node
   };
 
   virtual ~Chords() = default;
@@ -125,8 +125,8 @@ protected:
   // counter-clockwise
   struct Place
   {
-    int slot;                    // 2k: corner k, 2k + 1: side k
-    Edge_order::Rank rank;       // the position within the slot
+    int slot;              // 2k: corner k, 2k + 1: side k
+    Edge_order::Rank rank; // the position within the slot
 
     bool is_side() const { return (slot & 1) != 0; }
     friend bool operator<(const Place& a, const Place& b)
@@ -136,8 +136,8 @@ protected:
   };
 
   explicit Chords(const Labels& labels)
-    : m_order(labels.surface().number_of_edges()), m_surface(&labels.surface()),
-      m_labels(&labels), m_in_face(labels.surface().number_of_faces())
+    : m_order(labels.surface().number_of_edges()), m_surface(&labels.surface()), m_labels(&labels),
+      m_in_face(labels.surface().number_of_faces())
   {
   }
 

@@ -35,8 +35,7 @@ public:
     double t;
   };
 
-  Interval_map(const Cross_field& field, const Labels& labels)
-    : m_field(&field), m_labels(&labels)
+  Interval_map(const Cross_field& field, const Labels& labels) : m_field(&field), m_labels(&labels)
   {
   }
 

@@ -122,7 +122,7 @@ private:
   {
     const Chords* chords;
 
-    bool operator()(const Event& a, const Event& b) const      // the queue has the last on top
+    bool operator()(const Event& a, const Event& b) const // the queue has the last on top
     {
       if (std::tie(a.length, a.trace) != std::tie(b.length, b.trace))
         return std::tie(a.length, a.trace) > std::tie(b.length, b.trace);
