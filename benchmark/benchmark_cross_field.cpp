@@ -5,8 +5,8 @@
 // Author(s) : The Quad_layouts authors
 
 // Computes a cross field on each of the given meshes by either method, and prints a line of
-// comma-separated values for each: the singularities, the energy (half of the weighted squares of the
-// angles by which the field turns across edges) and the seconds of processor time.
+// comma-separated values for each: the singularities, the energy (half of the weighted squares of
+// the angles by which the field turns across edges) and the seconds of processor time.
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 

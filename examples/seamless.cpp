@@ -4,8 +4,9 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Parametrizes a model seamlessly, and writes the charts as texture coordinates: a grid as texture becomes
-// a net of lines on the model that follows the cross field and has no seams but for its line numbers.
+// Parametrizes a model seamlessly, and writes the charts as texture coordinates: a grid as texture
+// becomes a net of lines on the model that follows the cross field and has no seams but for its
+// line numbers.
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/parametrize_seamlessly.h>

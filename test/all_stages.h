@@ -177,7 +177,8 @@ inline void check_map(const QL::Integer_grid_map& map, const QL::Quad_layout& la
              }) == 0);
 }
 
-// the quad mesh has the topology of the surface and the patches of the layout, and lies on the surface
+// the quad mesh has the topology of the surface and the patches of the layout, and lies on the
+// surface
 inline void check_quads(const Task& task, const Results& r)
 {
   BOOST_TEST_REQUIRE(CGAL::is_valid_polygon_mesh(r.quads));

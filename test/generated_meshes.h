@@ -226,8 +226,8 @@ inline Mesh annulus(double inner_radius, double outer_radius, int rings, int n)
   return mesh_of(points, triangles);
 }
 
-// A ring whose outer border winds outwards once around the origin, and gets back by a step: there it
-// has a convex and a concave corner.
+// A ring whose outer border winds outwards once around the origin, and gets back by a step: there
+// it has a convex and a concave corner.
 inline Mesh annulus_with_step(double inner_radius, double step, int rings, int n)
 {
   const double pi = std::acos(-1.);

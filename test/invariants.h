@@ -234,8 +234,8 @@ inline void check_opposite_sides(const T_mesh& t)
              }) == 0);
 }
 
-// No arc is shorter than the straight line. In needles, where rounding decides where chords cross, this
-// need not hold.
+// No arc is shorter than the straight line. In needles, where rounding decides where chords cross,
+// this need not hold.
 inline void check_distances(const T_mesh& t)
 {
   const double tolerance = tolerance_of(t);

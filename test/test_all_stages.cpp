@@ -75,8 +75,8 @@ void check_valid(const std::string& name, const Mesh& mesh)
   }
 }
 
-// takes a mesh through all stages with a field that has a given direction in each face: by its angle
-// to circles around the z-axis, as a function of the face's centre
+// takes a mesh through all stages with a field that has a given direction in each face: by its
+// angle to circles around the z-axis, as a function of the face's centre
 template <class Angle>
 void check_valid(const std::string& name, const Mesh& mesh, const Angle& angle)
 {

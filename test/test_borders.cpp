@@ -152,8 +152,8 @@ BOOST_AUTO_TEST_CASE(layout_of_a_disc)
   BOOST_TEST(r.layout.number_of_patches == 5);
 }
 
-// Lines along the border wind outwards and meet the step: it can only have length 0 (Figure 5 of Lyon,
-// Campen and Kobbelt 2021).
+// Lines along the border wind outwards and meet the step: it can only have length 0 (Figure 5 of
+// Lyon, Campen and Kobbelt 2021).
 BOOST_AUTO_TEST_CASE(a_step_that_cannot_be_kept)
 {
   const Mesh mesh = generated::annulus_with_step(0.5, 0.4, 10, 60);

@@ -23,8 +23,9 @@
 #include <utility>
 #include <vector>
 
-// Are the crossings of traces all there that rows are needed for, and do layout edges therefore keep
-// to the maximum deviation? Traces that run on much farther show the crossings that a T-mesh lacks.
+// Are the crossings of traces all there that rows are needed for, and do layout edges therefore
+// keep to the maximum deviation? Traces that run on much farther show the crossings that a T-mesh
+// lacks.
 
 BOOST_AUTO_TEST_SUITE(test_completeness)
 
@@ -85,8 +86,8 @@ std::size_t number_of_rows(const Quantization_program& program)
   return result;
 }
 
-// Makes quantizations of `known` rows that avoid the arcs of `unknown` rows, as these are dear, some of
-// them at random, and counts the latter rows that are violated though they could hold.
+// Makes quantizations of `known` rows that avoid the arcs of `unknown` rows, as these are dear,
+// some of them at random, and counts the latter rows that are violated though they could hold.
 class Adversary
 {
 public:

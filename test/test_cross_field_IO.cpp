@@ -136,8 +136,8 @@ BOOST_AUTO_TEST_CASE(round_trips)
   check_round_trips(generated::plate_with_holes(3, 3, {{1, 1}}, 2));
 }
 
-// Matchings that are written must be those of the angles that are written: theta + kappa + p pi/2 is the
-// angle of the neighbour but for the small turn of the field, and opposite ones cancel.
+// Matchings that are written must be those of the angles that are written: theta + kappa + p pi/2
+// is the angle of the neighbour but for the small turn of the field, and opposite ones cancel.
 BOOST_AUTO_TEST_CASE(matchings_fit_angles)
 {
   for (Mesh mesh : {generated::icosphere(2), generated::cube(2),

@@ -67,8 +67,8 @@ generated::Kernel::Segment_3 segment(Mesh::Edge_index e, const Mesh& mesh)
   return {mesh.point(source(e, mesh)), mesh.point(target(e, mesh))};
 }
 
-// says if layout edges that are fixed are as long as the feature curves: each unit of a fixed arc has
-// its own
+// says if layout edges that are fixed are as long as the feature curves: each unit of a fixed arc
+// has its own
 void check_fixed_edges(const QL::T_mesh& t, const QL::Quad_layout& layout)
 {
   std::vector<int> uses(layout.number_of_edges(), 0);
@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE(edges_of_a_cube)
   BOOST_TEST(r.layout.number_of_patches == 6);
 }
 
-// A pair of valence 3 and 5 on one side of a cube whose edges are fixed: it can only merge (Figure 5 of
-// Lyon, Campen and Kobbelt 2021).
+// A pair of valence 3 and 5 on one side of a cube whose edges are fixed: it can only merge (Figure
+// 5 of Lyon, Campen and Kobbelt 2021).
 BOOST_AUTO_TEST_CASE(a_pair_between_fixed_edges_merges)
 {
   Mesh mesh = generated::cube(10);
@@ -191,8 +191,8 @@ BOOST_AUTO_TEST_CASE(circle_on_a_plate)
   BOOST_TEST(r.layout.number_of_irregular_vertices() == 4);
 }
 
-// The field of this mesh winds around a limit cycle between sharp edges, also where traces stop at the
-// first one that they meet: only more singularities keep the edges apart.
+// The field of this mesh winds around a limit cycle between sharp edges, also where traces stop at
+// the first one that they meet: only more singularities keep the edges apart.
 BOOST_AUTO_TEST_CASE(edges_along_a_limit_cycle)
 {
   Mesh mesh;
@@ -262,8 +262,8 @@ BOOST_AUTO_TEST_CASE(feature_curves_divide_patches)
   BOOST_TEST(QL::measure_quad_mesh(quads, np).patches == patches);
 }
 
-// Where a curve turns by a few degrees, it goes straight on for the layout; the edges of quads do not
-// cut it off all the same.
+// Where a curve turns by a few degrees, it goes straight on for the layout; the edges of quads do
+// not cut it off all the same.
 BOOST_AUTO_TEST_CASE(bends_are_followed)
 {
   const Mesh mesh = generated::annulus(0.4, 1, 4, 20);
@@ -282,8 +282,8 @@ BOOST_AUTO_TEST_CASE(bends_are_followed)
   BOOST_TEST(farthest < 1e-3 * std::sqrt(8.));
 }
 
-// Two curves that end on a third one, from its two sides. If their ends fell together, the layout would
-// have a vertex where four curves meet, but no place for it on all of them.
+// Two curves that end on a third one, from its two sides. If their ends fell together, the layout
+// would have a vertex where four curves meet, but no place for it on all of them.
 BOOST_AUTO_TEST_CASE(junctions_stay_apart)
 {
   Mesh mesh = generated::plate_with_holes(3, 3, {}, 4);

@@ -50,7 +50,8 @@ inline std::string repaired_by(const std::string& function)
   return "; --repair or CGAL::Polygon_mesh_processing::" + function + "() may repair it";
 }
 
-// throws if a polygon has vertices that there are not, or a vertex has a coordinate that is no number
+// throws if a polygon has vertices that there are not, or a vertex has a coordinate that is no
+// number
 inline void check_elements(const Polygon_soup& soup)
 {
   for (std::size_t v = 0; v < soup.points.size(); ++v)
@@ -65,7 +66,8 @@ inline void check_elements(const Polygon_soup& soup)
                           ", but there are " + std::to_string(soup.points.size()));
 }
 
-// Finds out whether polygons form an oriented manifold, which is what a halfedge structure can hold.
+// Finds out whether polygons form an oriented manifold, which is what a halfedge structure can
+// hold.
 class Manifold_check
 {
 public:
@@ -193,8 +195,8 @@ private:
   std::vector<Side> m_sides; // sorted by edge
 };
 
-// makes oriented manifold triangles of polygons: merges what is twice, duplicates vertices where the
-// surface is not manifold, and takes away what has no area
+// makes oriented manifold triangles of polygons: merges what is twice, duplicates vertices where
+// the surface is not manifold, and takes away what has no area
 inline Mesh repaired_mesh(Polygon_soup soup)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Feeds files that libFuzzer makes to the way of the command from its reader to the layout. The first
-// byte of an input says which format the rest is in, and how it is to be treated.
+// Feeds files that libFuzzer makes to the way of the command from its reader to the layout. The
+// first byte of an input says which format the rest is in, and how it is to be treated.
 
 #include "../../examples/quad_layout/input.h"
 

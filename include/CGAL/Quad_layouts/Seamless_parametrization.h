@@ -43,19 +43,19 @@ public:
   using Transition = Chart_transition<Integer>;
 
   const Surface& surface() const { return *surface_pointer; }
-  /// returns the coordinates, in units, of the corner at the source of halfedge `h` in the chart of the
-  /// face of `h`.
+  /// returns the coordinates, in units, of the corner at the source of halfedge `h` in the chart of
+  /// the face of `h`.
   const Point_2& coordinates(int h) const { return corner_coordinates[h]; }
   /// returns the same in target edge lengths.
   Eigen::Vector2d point(int h) const
   {
     return unit / edge_length * corner_coordinates[h].cast<double>();
   }
-  /// returns the change from the chart of the face of `h` to the chart of the face on the other side; the
-  /// identity on the border.
+  /// returns the change from the chart of the face of `h` to the chart of the face on the other
+  /// side; the identity on the border.
   const Transition& transition(int h) const { return halfedge_transition[h]; }
-  /// says if no triangle is inverted or flat, and the triangles around each vertex span the angle that its
-  /// index says.
+  /// says if no triangle is inverted or flat, and the triangles around each vertex span the angle
+  /// that its index says.
   bool is_locally_injective() const { return inverted == 0 && wrong_winding == 0; }
 
   /// \name The arrays

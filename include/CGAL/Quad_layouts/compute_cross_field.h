@@ -43,16 +43,16 @@ inline void check_field_options(const Cross_field_options& options)
 computes a smooth cross field on a triangle mesh, or completes one that is given.
 
 A smooth field minimises the difference between adjacent faces, softly aligned to the directions of
-principal curvature and exactly to the directions that are prescribed. There are two methods. `DIFFUSION`
-is that of Merriman, Bence and Osher (Viertel and Osting, <em>An approach to quad meshing based on
-harmonic cross-valued maps and the Ginzburg-Landau theory</em>, 2019). `MIXED_INTEGER` chooses how often
-the field turns by a right angle from face to face, by greedy rounding (Bommes, Zimmer and Kobbelt,
+principal curvature and exactly to the directions that are prescribed. There are two methods.
+`DIFFUSION` is that of Merriman, Bence and Osher (Viertel and Osting, <em>An approach to quad
+meshing based on harmonic cross-valued maps and the Ginzburg-Landau theory</em>, 2019).
+`MIXED_INTEGER` chooses how often the field turns by a right angle from face to face, by greedy
+rounding (Bommes, Zimmer and Kobbelt,
 <em>Mixed-integer quadrangulation</em>, 2009) and a local search. It takes longer and finds smoother
-fields with fewer singularities, but the lines of the field join them less often: layouts tend to have
-more patches. Then singularities of valence 2 and less are
-spread over several vertices where the mesh has them; in such places the matching is not always
-the one that turns the field least. A given field keeps its directions; only the matchings and
-indices are computed.
+fields with fewer singularities, but the lines of the field join them less often: layouts tend to
+have more patches. Then singularities of valence 2 and less are spread over several vertices where
+the mesh has them; in such places the matching is not always the one that turns the field least. A
+given field keeps its directions; only the matchings and indices are computed.
 
 Along *fixed* edges, which are those on the border and the constrained ones, the field always has
 the direction of the edges, also where another direction is prescribed or given. Between two of them

@@ -61,8 +61,8 @@ goes on by the route `FIELD`. `T_mesh::route` says which one it was.
     \cgalParamDefault{unlimited}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told the progress, and the reason if another route is taken, and can stop the
-                          work}
+    \cgalParamDescription{is told the progress, and the reason if another route is taken, and can
+                          stop the work}
     \cgalParamType{a class like `Default_visitor`}
     \cgalParamDefault{`Default_visitor`}
   \cgalParamNEnd

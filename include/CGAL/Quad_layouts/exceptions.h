@@ -79,7 +79,8 @@ public:
   using Invalid_mesh::Invalid_mesh;
 };
 
-/// says that a mesh is so large or so small that computations in double precision overflow or vanish.
+/// says that a mesh is so large or so small that computations in double precision overflow or
+/// vanish.
 class Unsuitable_scale : public Invalid_mesh
 {
 public:

@@ -56,7 +56,8 @@ field and mesh, and not every one that there is will be found.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param field the cross field
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_edge_length}
@@ -66,8 +67,8 @@ field and mesh, and not every one that there is will be found.
     \cgalParamExtra{It must be positive.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the maximum number of steps of the optimization, which ends earlier when the map
-                          is locally injective and hardly changes}
+    \cgalParamDescription{the maximum number of steps of the optimization, which ends earlier when
+                          the map is locally injective and hardly changes}
     \cgalParamType{int}
     \cgalParamDefault{`100`}
     \cgalParamExtra{It must be positive.}
@@ -85,8 +86,8 @@ field and mesh, and not every one that there is will be found.
 \cgalNamedParamsEnd
 
 \throw Invalid_parameter if a parameter is out of its range.
-\throw Stage_failure if the system of equations cannot be solved, or the relations need numbers that are
-       too large.
+\throw Stage_failure if the system of equations cannot be solved, or the relations need numbers that
+are too large.
 \throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 

@@ -87,7 +87,7 @@ never jump between the two sides of a thin part.
 \param quads the quad mesh
 \param surface the surface, which `quads` should already lie close to
 \param np_quads an optional sequence of \ref bgl_namedparameters "Named Parameters" among those
-listed below
+        listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -124,7 +124,7 @@ listed below
 \cgalNamedParamsEnd
 
 \param np_surface an optional sequence of \ref bgl_namedparameters "Named Parameters" among those
-listed below
+        listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -142,7 +142,8 @@ three-dimensional point as value type} \cgalParamDefault{`boost::get(CGAL::verte
 \cgalNamedParamsEnd
 
 \throw Invalid_mesh if `surface` cannot be used; the exception is of the class that says why.
-\throw Invalid_parameter if `number_of_iterations` is negative, or `maximum_running_time` is not positive.
+\throw Invalid_parameter if `number_of_iterations` is negative, or `maximum_running_time` is not
+positive.
 \throw Stage_failure if a face of `quads` is not a quad.
 \throw Cancelled if the visitor stops the work. `quads` has not been changed then.
 

@@ -34,14 +34,14 @@ enum Cross_field_format {
   /// `.rosy`: the number of faces, the degree 4, and a direction for each face (Palacios and Zhang,
   /// <em>Interactive visualization of rotational symmetry fields on surfaces</em>, 2011)
   ROSY,
-  /// `.rawfield` of the library Directional: the degree 4, the number of faces, and four directions for
-  /// each face
+  /// `.rawfield` of the library Directional: the degree 4, the number of faces, and four directions
+  /// for each face
   RAWFIELD,
   /// `.ffield` as VCGLib writes it: two sizes and two directions for each face
   FFIELD,
   /// `.ffield` of the test data of Myles, Pietroni and Zorin, <em>Robust field-aligned global
-  /// parametrization</em>, 2014: frames as in the other dialect, angles of the cross field, matchings and
-  /// sharp edges
+  /// parametrization</em>, 2014: frames as in the other dialect, angles of the cross field,
+  /// matchings and sharp edges
   FFIELD_MPZ14
 };
 
@@ -85,21 +85,22 @@ namespace IO {
 /*!
 \ingroup PkgQuadLayoutsIO
 
-reads a cross field on a triangle mesh, as directions that the named parameter `face_direction_map` of
-`compute_cross_field()` takes. Both dialects of `.ffield` are told apart by what the file contains: if it
-has angles of a cross field, they count, and else the first direction of each frame. Matchings are not
-taken over.
+reads a cross field on a triangle mesh, as directions that the named parameter `face_direction_map`
+of `compute_cross_field()` takes. Both dialects of `.ffield` are told apart by what the file
+contains: if it has angles of a cross field, they count, and else the first direction of each frame.
+Matchings are not taken over.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-\tparam FaceDirectionMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh` as
-        key type and a `Vector_3` of any %CGAL kernel as value type
+\tparam FaceDirectionMap a model of `WritablePropertyMap` with the face descriptor of `TriangleMesh`
+        as key type and a `Vector_3` of any %CGAL kernel as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param in the stream
 \param format the format of the file
 \param tm the mesh, whose vertices and faces have the order of the file
 \param directions gets a direction for each face; it is not changed if the file cannot be read
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}

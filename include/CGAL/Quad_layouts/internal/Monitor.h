@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// What long work sees of the user's visitor and time limit: a place to report progress to, and to be
-// stopped from.
-// It is not a template, so that the algorithms behind the public functions need not be.
+// What long work sees of the user's visitor and time limit: a place to report progress to, and to
+// be stopped from. It is not a template, so that the algorithms behind the public functions need
+// not be.
 class Monitor
 {
 public:

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Reads a text of words and numbers, whose comments begin with # and end with the line, and knows the
-// line for messages.
+// Reads a text of words and numbers, whose comments begin with # and end with the line, and knows
+// the line for messages.
 class Line_reader
 {
 public:

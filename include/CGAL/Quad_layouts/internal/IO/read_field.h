@@ -76,8 +76,8 @@ inline void read_frames(Line_reader& reader, Field_in_file& field)
   }
 }
 
-// the halfedge of face f that ends in the vertex whose number is read first, if the three numbers that
-// are read are its vertices in order
+// the halfedge of face f that ends in the vertex whose number is read first, if the three numbers
+// that are read are its vertices in order
 inline int read_halfedge(Line_reader& reader, const Triangle_surface& surface, int f)
 {
   const int a = reader.number<int>(), b = reader.number<int>(), c = reader.number<int>();
@@ -88,9 +88,9 @@ inline int read_halfedge(Line_reader& reader, const Triangle_surface& surface, i
   reader.fail("face " + std::to_string(f) + " has other vertices in the mesh");
 }
 
-// The halfedges that the angles of faces are measured from. Each line of the matchings begins with the
-// vertices of a face, and the first halfedge ends in the first of them. Without matchings the order is
-// that of the mesh.
+// The halfedges that the angles of faces are measured from. Each line of the matchings begins with
+// the vertices of a face, and the first halfedge ends in the first of them. Without matchings the
+// order is that of the mesh.
 inline std::vector<int> read_matchings(Line_reader& reader, const Triangle_surface& surface,
                                        bool has_sharp, Field_in_file& field)
 {
@@ -108,8 +108,8 @@ inline std::vector<int> read_matchings(Line_reader& reader, const Triangle_surfa
   return result;
 }
 
-// reads what follows the frames in the dialect of Myles, Pietroni and Zorin, in which angles, if there are
-// any, take the place of the frames
+// reads what follows the frames in the dialect of Myles, Pietroni and Zorin, in which angles, if
+// there are any, take the place of the frames
 inline void read_sections(Line_reader& reader, const Triangle_surface& surface,
                           Field_in_file& field)
 {

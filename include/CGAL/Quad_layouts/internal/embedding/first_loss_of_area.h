@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// the least positive t at which the triangle with the corners x + t dx, which is positive for t = 0, has no
-// area; infinite if there is none
+// the least positive t at which the triangle with the corners x + t dx, which is positive for t =
+// 0, has no area; infinite if there is none
 inline double first_loss_of_area(const std::array<Point2, 3>& x, const std::array<Point2, 3>& dx)
 {
   const auto cross = [](const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); };

@@ -24,10 +24,11 @@ namespace internal {
 //
 //     sum over springs  w (theta_to - theta_from - rest + p pi/2)^2
 //
-// with an integer p for each. There is a spring across each edge inside, whose rest is the transport,
-// and one that pulls a face towards its principal curvature, whose other end is held at the angle 0.
-// The parenthesis is called the *rotation*. It is what `rotation()` of a halfedge is for the first
-// kind; for small rotations the energy is, up to a factor, the one that diffusion minimises.
+// with an integer p for each. There is a spring across each edge inside, whose rest is the
+// transport, and one that pulls a face towards its principal curvature, whose other end is held at
+// the angle 0. The parenthesis is called the *rotation*. It is what `rotation()` of a halfedge is
+// for the first kind; for small rotations the energy is, up to a factor, the one that diffusion
+// minimises.
 //
 // Springs are numbered: those of the edges first, then those of the faces. Some numbers have no
 // spring: the edges of the border and the faces without a pull.

@@ -25,12 +25,13 @@ namespace internal {
 
 // Chooses the period jumps of springs by greedy rounding (Bommes, Zimmer and Kobbelt 2009).
 //
-// A jump that may be any real number makes the rotation of its spring 0: such a spring does nothing.
-// So the relaxed problem has the active springs only, those whose jump has been chosen, in the angles
-// alone. At the beginning they form a forest, whose jumps are no choice: turning a face by a right angle
-// moves them. The relaxed angles are parallel along it. Then the spring whose real jump is nearest to
-// an integer becomes active with this jump, and the angles relax, by Gauss-Seidel steps where they move;
-// now and then all are solved for, lest the errors of local updates add up.
+// A jump that may be any real number makes the rotation of its spring 0: such a spring does
+// nothing. So the relaxed problem has the active springs only, those whose jump has been chosen, in
+// the angles alone. At the beginning they form a forest, whose jumps are no choice: turning a face
+// by a right angle moves them. The relaxed angles are parallel along it. Then the spring whose real
+// jump is nearest to an integer becomes active with this jump, and the angles relax, by
+// Gauss-Seidel steps where they move; now and then all are solved for, lest the errors of local
+// updates add up.
 class Jump_rounding
 {
 public:
@@ -59,8 +60,9 @@ public:
   }
 
 private:
-  // Makes the angles parallel along a forest whose roots are the fixed faces and those that are strongly
-  // pulled. With too few roots the field ignores the shape as a whole, with too many it keeps its noise.
+  // Makes the angles parallel along a forest whose roots are the fixed faces and those that are
+  // strongly pulled. With too few roots the field ignores the shape as a whole, with too many it
+  // keeps its noise.
   void grow_forest()
   {
     std::vector<int> reached;

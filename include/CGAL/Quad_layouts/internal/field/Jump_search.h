@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Lessens the energy of a cross field by changing period jumps one at a time, which moves a quarter of
-// an index along an edge: singularities move to better places, and cancel each other.
+// Lessens the energy of a cross field by changing period jumps one at a time, which moves a quarter
+// of an index along an edge: singularities move to better places, and cancel each other.
 //
 // When the jump of spring s grows by d in radians, and all angles adapt, the energy changes by
 //
@@ -49,8 +49,8 @@ public:
         m_share_bound[s] = share_bound(s);
   }
 
-  // makes the changes that lessen the energy most, as long as there are any; the angles are always the
-  // best for the jumps
+  // makes the changes that lessen the energy most, as long as there are any; the angles are always
+  // the best for the jumps
   void run(std::vector<double>& angles, std::vector<int>& jumps, const Monitor& monitor)
   {
     m_solver.solve(angles, jumps);
@@ -135,8 +135,8 @@ private:
     return result;
   }
 
-  // the energy saved by the better change of a jump, divided by the weight and a right angle; the share
-  // is the w R above
+  // the energy saved by the better change of a jump, divided by the weight and a right angle; the
+  // share is the w R above
   static double gain(double rotation, double share)
   {
     return 2 * std::abs(rotation) - right_angle * (1 - share);
@@ -151,9 +151,9 @@ private:
     return m_share_bound[s];
   }
 
-  // An upper bound of the share of s, which is no pull, by Rayleigh's monotonicity law: of all other
-  // springs it takes only those around either end of the edge, which are two parallel paths from face
-  // to face.
+  // An upper bound of the share of s, which is no pull, by Rayleigh's monotonicity law: of all
+  // other springs it takes only those around either end of the edge, which are two parallel paths
+  // from face to face.
   double share_bound(int s) const
   {
     double conductance = 0;

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Finds the angles that minimise the energy of some of the springs, for given period jumps. The jumps
-// are no part of the matrix: it is factorized once for any number of them.
+// Finds the angles that minimise the energy of some of the springs, for given period jumps. The
+// jumps are no part of the matrix: it is factorized once for any number of them.
 class Spring_solver
 {
 public:
@@ -68,9 +68,9 @@ public:
       angles[m_free_faces[i]] += step[i];
   }
 
-  // the effective resistance between the ends of spring s, b^T A^-1 b for the matrix A = L D L^T and a
-  // unit of force b at either end. L^-1 b is 0 except on the paths in the elimination tree from the ends
-  // to the root: so this takes much less time than a solution.
+  // the effective resistance between the ends of spring s, b^T A^-1 b for the matrix A = L D L^T
+  // and a unit of force b at either end. L^-1 b is 0 except on the paths in the elimination tree
+  // from the ends to the root: so this takes much less time than a solution.
   double resistance(int s)
   {
     load(m_springs.from(s), 1);

@@ -93,7 +93,8 @@ inline std::vector<Complex> fixed_crosses(const Triangle_surface& surface,
   return result;
 }
 
-// the crosses that diffusion makes of those of principal curvature; faces with a fixed cross keep it
+// the crosses that diffusion makes of those of principal curvature; faces with a fixed cross keep
+// it
 inline std::vector<Complex> diffused_crosses(const Face_connection& connection,
                                              const std::vector<Complex>& fixed,
                                              const Cross_field_options& options,
@@ -135,8 +136,8 @@ inline std::vector<int> halfedge_jumps(const Triangle_surface& surface,
   return result;
 }
 
-// The period jumps that greedy rounding leads to, and then a local search. `angles` has those of the faces
-// with a fixed cross, which are kept, and gets the others.
+// The period jumps that greedy rounding leads to, and then a local search. `angles` has those of
+// the faces with a fixed cross, which are kept, and gets the others.
 inline std::vector<int> round_jumps(const Face_connection& connection,
                                     const std::vector<char>& is_fixed,
                                     const Cross_field_options& options, const Monitor& monitor,

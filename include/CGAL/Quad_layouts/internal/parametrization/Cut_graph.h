@@ -15,10 +15,11 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A graph of edges along which a surface is cut open to discs, and a chart for each face: a coordinate
-// system whose x-axis is one of the directions of the field. Charts of adjacent faces turn into each other
-// without any quarter-turn, unless their edge is cut (Bommes, Zimmer and Kobbelt 2009). All cones, which
-// are the singularities, lie on the graph, and its other ends are on the border.
+// A graph of edges along which a surface is cut open to discs, and a chart for each face: a
+// coordinate system whose x-axis is one of the directions of the field. Charts of adjacent faces
+// turn into each other without any quarter-turn, unless their edge is cut (Bommes, Zimmer and
+// Kobbelt 2009). All cones, which are the singularities, lie on the graph, and its other ends are
+// on the border.
 class Cut_graph
 {
 public:
@@ -42,8 +43,8 @@ public:
     return m_field.angle(f) + m_turn[f] * right_angle;
   }
 
-  // by how many quarter-turns, 0 to 3, the chart of the face behind h turns what it takes over from the
-  // chart of the face of h
+  // by how many quarter-turns, 0 to 3, the chart of the face behind h turns what it takes over from
+  // the chart of the face of h
   int quarter_turns(int h) const
   {
     const int f = m_surface.face(h), g = m_surface.face(m_surface.opposite(h));
@@ -80,8 +81,8 @@ private:
     }
   }
 
-  // Sews up what ends in a regular vertex inside: the quarter-turns of all edges around such a vertex
-  // cancel, so that the last one has none.
+  // Sews up what ends in a regular vertex inside: the quarter-turns of all edges around such a
+  // vertex cancel, so that the last one has none.
   void remove_dead_ends()
   {
     std::vector<int> degree(m_surface.number_of_vertices(), 0), ends;

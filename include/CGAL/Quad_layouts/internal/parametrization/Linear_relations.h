@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Homogeneous linear equations with rational coefficients, solved exactly: each unknown that an equation
-// determines becomes a combination of others, and in the end of free ones only (compare Mandad and Campen,
-// "Exact constraint satisfaction for truly seamless parametrization", 2019).
+// Homogeneous linear equations with rational coefficients, solved exactly: each unknown that an
+// equation determines becomes a combination of others, and in the end of free ones only (compare
+// Mandad and Campen, "Exact constraint satisfaction for truly seamless parametrization", 2019).
 class Linear_relations
 {
 public:
@@ -60,8 +60,8 @@ public:
     return m_determined[m_position[unknown]].combination;
   }
 
-  // the least common multiple of all denominators: multiples of it for the free unknowns make all unknowns
-  // integers
+  // the least common multiple of all denominators: multiples of it for the free unknowns make all
+  // unknowns integers
   std::int64_t common_denominator() const
   {
     std::int64_t result = 1;
@@ -78,7 +78,8 @@ private:
     Combination combination;
   };
 
-  // Coefficients stay small if the pivot is; of equals, the last unknown is determined by the others.
+  // Coefficients stay small if the pivot is; of equals, the last unknown is determined by the
+  // others.
   static Combination::iterator smallest_term(Combination& equation)
   {
     auto result = equation.begin();
@@ -93,8 +94,8 @@ private:
     return (std::max)(std::abs(x.numerator()), x.denominator());
   }
 
-  // Replaces determined unknowns, the one determined first of them first: others in its combination are
-  // determined later, so this ends.
+  // Replaces determined unknowns, the one determined first of them first: others in its combination
+  // are determined later, so this ends.
   void substitute(Combination& combination) const
   {
     for (;;) {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Minimizes an energy of the wedges over the free unknowns y on which all depend by x = N y: whatever it
-// does, the map stays seamless.
+// Minimizes an energy of the wedges over the free unknowns y on which all depend by x = N y:
+// whatever it does, the map stays seamless.
 class Reduced_newton
 {
 public:
@@ -58,9 +58,9 @@ public:
     m_x += direction();
   }
 
-  // Turns inverted triangles back, as far as it can, and then improves the map, all triangles of which stay
-  // positive. With the regularization going down as the worst triangle does, the energy of that one
-  // becomes decisive (Garanzha et al. 2021).
+  // Turns inverted triangles back, as far as it can, and then improves the map, all triangles of
+  // which stay positive. With the regularization going down as the worst triangle does, the energy
+  // of that one becomes decisive (Garanzha et al. 2021).
   void untangle(double barrier, int most_steps, const Monitor& monitor)
   {
     for (int i = 0; i < most_steps; ++i) {
@@ -89,8 +89,8 @@ private:
     return m_basis * m_solver.solve(-(m_basis.transpose() * gradient));
   }
 
-  // goes along the direction as far as the energy falls, and, if the triangles are positive, not to where
-  // the first loses its area; returns false if that is hardly anywhere
+  // goes along the direction as far as the energy falls, and, if the triangles are positive, not to
+  // where the first loses its area; returns false if that is hardly anywhere
   bool step(bool is_positive)
   {
     const Eigen::VectorXd move = direction(), start = m_x;

@@ -21,8 +21,8 @@ namespace internal {
 
 // `Distortion` with its denominator d = det J replaced by
 //   chi = (d + sqrt(d^2 + epsilon^2)) / 2,
-// which is positive for inverted triangles, too, and d for positive ones if epsilon is 0 (Garanzha et al.
-// 2021).
+// which is positive for inverted triangles, too, and d for positive ones if epsilon is 0 (Garanzha
+// et al. 2021).
 class Regularized_distortion
 {
 public:

@@ -23,9 +23,9 @@ namespace internal {
 // The unknowns of a seamless parametrization, and how they depend on free ones.
 //
 // A *wedge* is what the cut graph leaves of the star of a vertex; all its corners have the same
-// coordinates, unknowns 2w and 2w + 1. The two sides of a cut edge are equal vectors up to quarter-turns,
-// fixed edges keep a coordinate, and the first corner of each component is the origin. Nothing else is
-// demanded: translations are free, and so are the places of cones.
+// coordinates, unknowns 2w and 2w + 1. The two sides of a cut edge are equal vectors up to
+// quarter-turns, fixed edges keep a coordinate, and the first corner of each component is the
+// origin. Nothing else is demanded: translations are free, and so are the places of cones.
 class Seam_constraints
 {
 public:

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// How far fixed curves of a surface are from edges that join two places on them: where a curve bends
-// in between, an edge cuts the corner.
+// How far fixed curves of a surface are from edges that join two places on them: where a curve
+// bends in between, an edge cuts the corner.
 class Curve_deviation
 {
 public:

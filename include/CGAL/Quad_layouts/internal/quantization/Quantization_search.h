@@ -281,8 +281,8 @@ private:
     search(box, effort(nodes, 2 * small_share), improved);
   }
 
-  // Improves another solution, into which many exchanges have turned the best one, and searches where
-  // both differ.
+  // Improves another solution, into which many exchanges have turned the best one, and searches
+  // where both differ.
   void search_elsewhere(int nodes)
   {
     constexpr double slack = 1.1;
@@ -304,10 +304,10 @@ private:
     search(between, effort(nodes, small_share), improved);
   }
 
-  // Searches around singularities, around dual loops of the solution, and where some loops are taken
-  // away; the latter every second time, around others every second time on the support only.
-  // Neighbourhoods of a kind grow while they are solved to optimality. Ends when many in a row bring
-  // nothing.
+  // Searches around singularities, around dual loops of the solution, and where some loops are
+  // taken away; the latter every second time, around others every second time on the support only.
+  // Neighbourhoods of a kind grow while they are solved to optimality. Ends when many in a row
+  // bring nothing.
   void search_neighbourhoods(Incumbent& incumbent, int nodes)
   {
     const int patience = 20 + int(m_paper.singularities.size()) / 4;
@@ -347,8 +347,8 @@ private:
     return result;
   }
 
-  // Other loops may take the place of `count` loops anywhere. Few rows are open then, so that this is
-  // solved fast although all variables are free.
+  // Other loops may take the place of `count` loops anywhere. Few rows are open then, so that this
+  // is solved fast although all variables are free.
   Box without_loops(int count, const Incumbent& incumbent)
   {
     m_exchange.start_from(loops_of(incumbent));

@@ -56,8 +56,8 @@ public:
     return {m_position[e].curve, m_position[e].distance + along};
   }
 
-  // calls visit(vertex, halfedge, distance) for the vertices of the surface inside a part of a curve,
-  // each with a halfedge of a fixed edge at it. Beyond the length closed curves begin anew.
+  // calls visit(vertex, halfedge, distance) for the vertices of the surface inside a part of a
+  // curve, each with a halfedge of a fixed edge at it. Beyond the length closed curves begin anew.
   template <class Visit>
   void for_each_vertex_between(int curve, double begin, double end, const Visit& visit) const
   {
