@@ -22,8 +22,6 @@ BOOST_AUTO_TEST_SUITE(test_Loop_exchange)
 namespace QL = CGAL::Quad_layouts;
 namespace internal = QL::internal;
 
-namespace {
-
 // the program of a noisy sphere, in which many pairs can merge
 struct Fixture
 {
@@ -46,6 +44,8 @@ struct Fixture
     return result;
   }
 };
+
+namespace {
 
 void check(const internal::Row_counts& counts, const internal::Reduced_program& program)
 {
