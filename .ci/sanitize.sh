@@ -20,4 +20,4 @@ cmake --build "$build" --parallel 2 --target all_tests -- --keep-going || true
 export ASAN_OPTIONS=detect_leaks=0
 unset CGAL_DATA_DIR
 scripts/run_ctest.sh "$build" --tests-regex '^test_' \
-                     --exclude-regex 'test_quantize_(exhaustively|wishes)'
+                     --exclude-regex 'test_(quantize_exhaustively|quantize_wishes|quad_remesh)'
