@@ -11,7 +11,7 @@ build=$PWD/build/sanitize
 flags=(-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
        -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr)
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="${flags[*]}" -DCGAL_DATA_DIR= \
-      -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=18 \
+      -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
       -DQUAD_LAYOUTS_BUILD_EXAMPLES=OFF -DQUAD_LAYOUTS_BUILD_DOC=OFF \
       -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON >/dev/null || exit 1
 cmake --build "$build" --parallel 2 --target all_tests -- --keep-going || true

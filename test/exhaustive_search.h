@@ -14,6 +14,8 @@
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -175,7 +177,7 @@ class Judge
 {
 public:
   explicit Judge(const Case& c)
-    : m_case(c), m_demands{std::tan(40 * generated::pi / 180), 2 * c.displacement * c.edge_length,
+    : m_case(c), m_demands{std::tan(40 * CGAL_PI / 180), 2 * c.displacement * c.edge_length,
                            -4, 1},
       m_program(internal::build_quantization_program(c.t_mesh, m_demands))
   {

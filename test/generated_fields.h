@@ -11,6 +11,8 @@
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <cmath>
 #include <memory>
 #include <random>
@@ -18,8 +20,6 @@
 
 // Cross fields that are known or bad.
 namespace generated {
-
-constexpr double pi = 3.14159265358979323846;
 
 inline std::shared_ptr<const CGAL::Quad_layouts::internal::Triangle_surface> surface_of(
     const Mesh& mesh)
@@ -55,7 +55,7 @@ inline CGAL::Quad_layouts::Cross_field random_field(const Mesh& mesh, unsigned s
   std::mt19937 random(seed);
   std::vector<Eigen::Vector3d> vectors;
   for (int f = 0; f < surface->number_of_faces(); ++f)
-    vectors.push_back(surface->direction(f, 2 * pi * random() / double(random.max())));
+    vectors.push_back(surface->direction(f, 2 * CGAL_PI * random() / double(random.max())));
   return CGAL::Quad_layouts::internal::given_cross_field(surface, vectors);
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -146,13 +147,12 @@ inline Mesh icosphere(int level)
 // a torus with `nu` rings of `nv` vertices
 inline Mesh torus(int nu, int nv, double major_radius = 2, double minor_radius = 1)
 {
-  const double pi = std::acos(-1.);
   std::vector<Point> points;
   std::vector<Triangle> triangles;
   const auto vertex = [&](int i, int j) { return (i % nu) * nv + j % nv; };
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j) {
-      const double u = 2 * pi * i / nu, v = 2 * pi * j / nv;
+      const double u = 2 * CGAL_PI * i / nu, v = 2 * CGAL_PI * j / nv;
       const double r = major_radius + minor_radius * std::cos(v);
       points.emplace_back(r * std::cos(u), r * std::sin(u), minor_radius * std::sin(v));
       triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
@@ -210,14 +210,13 @@ inline Mesh plate_with_holes(int width, int height, const std::vector<std::array
 // the ring between two circles about the origin, with `rings` rings of 2 n triangles
 inline Mesh annulus(double inner_radius, double outer_radius, int rings, int n)
 {
-  const double pi = std::acos(-1.);
   std::vector<Point> points;
   std::vector<Triangle> triangles;
   const auto vertex = [&](int i, int j) { return i * n + j % n; };
   for (int i = 0; i <= rings; ++i)
     for (int j = 0; j < n; ++j) {
       const double r = inner_radius + (outer_radius - inner_radius) * i / rings;
-      points.emplace_back(r * std::cos(2 * pi * j / n), r * std::sin(2 * pi * j / n), 0);
+      points.emplace_back(r * std::cos(2 * CGAL_PI * j / n), r * std::sin(2 * CGAL_PI * j / n), 0);
       if (i < rings) {
         triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
         triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
@@ -230,11 +229,10 @@ inline Mesh annulus(double inner_radius, double outer_radius, int rings, int n)
 // it has a convex and a concave corner.
 inline Mesh annulus_with_step(double inner_radius, double step, int rings, int n)
 {
-  const double pi = std::acos(-1.);
   std::vector<Point> points;
   std::vector<Triangle> triangles;
   const auto add_point = [&](double r, int j) {
-    points.emplace_back(r * std::cos(2 * pi * j / n), r * std::sin(2 * pi * j / n), 0);
+    points.emplace_back(r * std::cos(2 * CGAL_PI * j / n), r * std::sin(2 * CGAL_PI * j / n), 0);
   };
   const auto add_square = [&](int a, int b, int c, int d) {
     for (const Triangle& t : {Triangle{a, b, c}, {a, c, d}})
@@ -264,14 +262,13 @@ inline Mesh annulus_with_step(double inner_radius, double step, int rings, int n
 // the unit disc, with `rings` rings around its centre, the k-th of 6 k vertices
 inline Mesh disc(int rings)
 {
-  const double pi = std::acos(-1.);
   std::vector<Point> points{Point(0, 0, 0)};
   std::vector<Triangle> triangles;
   const auto first = [](int k) { return k == 0 ? 0 : 1 + 3 * k * (k - 1); };
   const auto vertex = [&](int k, int j) { return k == 0 ? 0 : first(k) + j % (6 * k); };
   for (int k = 1; k <= rings; ++k)
     for (int j = 0; j < 6 * k; ++j) {
-      const double r = double(k) / rings, angle = 2 * pi * j / (6 * k);
+      const double r = double(k) / rings, angle = 2 * CGAL_PI * j / (6 * k);
       points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
       const int sector = j / k, inner = j - sector;
       triangles.push_back({vertex(k, j), vertex(k, j + 1), vertex(k - 1, inner)});

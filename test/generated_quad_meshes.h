@@ -10,6 +10,7 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/number_type_config.h>
 
 #include <array>
 #include <cmath>
@@ -84,14 +85,14 @@ inline Mesh quad_sphere(int n)
 // a torus with `nu` rings of `nv` vertices, closed or, as a tube, cut along a ring
 inline Mesh quad_torus(int nu, int nv, bool closed = true)
 {
-  const double pi = std::acos(-1.);
   std::vector<Point> points;
   std::vector<std::vector<int>> quads;
   const int rings = closed ? nu : nu + 1;
   const auto vertex = [&](int i, int j) { return (i % rings) * nv + j % nv; };
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < nv; ++j) {
-      const double u = (closed ? 2 : 1) * pi * i / nu, v = 2 * pi * j / nv, r = 3 + std::cos(v);
+      const double u = (closed ? 2 : 1) * CGAL_PI * i / nu, v = 2 * CGAL_PI * j / nv,
+                   r = 3 + std::cos(v);
       points.emplace_back(r * std::cos(u), r * std::sin(u), std::sin(v));
     }
   for (int i = 0; i < nu; ++i)

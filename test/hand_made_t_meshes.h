@@ -9,6 +9,8 @@
 
 #include <CGAL/Quad_layouts/T_mesh.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -111,7 +113,7 @@ inline T_mesh cube()
 // along j.
 inline T_mesh torus(int m, int n)
 {
-  const double turn = 2 * 3.14159265358979323846;
+  const double turn = 2 * CGAL_PI;
   std::vector<Point> points;
   std::vector<std::pair<int, int>> arcs;
   std::vector<Sides> patches;

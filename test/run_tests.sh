@@ -17,9 +17,9 @@ build=$(cd "$build" && pwd)
 data=$(cgal_data "$build/cgal_data")
 
 # with all assertions, and optimized only so far that it pays: most of the time goes into compiling,
-# for which reason many tests are compiled at a time
+# for which reason all tests are compiled at a time
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
-      -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=18 \
+      -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
       -DCGAL_DATA_DIR="$data" -DQUAD_LAYOUTS_BUILD_BENCHMARKS=ON
 # a program that does not compile is a test that fails
 cmake --build "$build" --parallel 2 -- --keep-going || true

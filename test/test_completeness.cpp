@@ -13,6 +13,8 @@
 #include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -163,7 +165,7 @@ BOOST_AUTO_TEST_CASE(no_row_is_missing)
     const QL::Cross_field field = QL::compute_cross_field(mesh);
     for (const double deviation : {15., 35.})
       for (const double displacement : {0., 1., 2.}) {
-        const internal::Quantization_demands demands{std::tan(deviation * generated::pi / 180),
+        const internal::Quantization_demands demands{std::tan(deviation * CGAL_PI / 180),
                                                      2 * displacement * edge_length, -4, 1};
         const Program_of usual(traced(field, deviation, displacement), demands),
             far(traced(field, 2, 0), demands);
@@ -183,7 +185,7 @@ BOOST_AUTO_TEST_CASE(missing_rows_are_noticed)
 {
   const QL::Cross_field field = QL::compute_cross_field(
       generated::noisy(generated::icosphere(3), 0.08, 2));
-  const internal::Quantization_demands demands{std::tan(15 * generated::pi / 180), 0, -4, 1};
+  const internal::Quantization_demands demands{std::tan(15 * CGAL_PI / 180), 0, -4, 1};
   const Program_of plain(motorcycle_graph(field, std::vector<char>(1000, true)), demands),
       far(traced(field, 2, 0), demands);
   const auto [known, unknown] = divided(far, plain);

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +38,7 @@ using Face_vectors = Mesh::Property_map<Mesh::Face_index, Vector>;
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = CGAL_PI / 180;
 
 // the least angle between a direction of face f and `v`, up to quarter turns
 double deviation(const QL::Cross_field& field, int f, const Eigen::Vector3d& v)

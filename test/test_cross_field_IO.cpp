@@ -31,7 +31,7 @@ using Edge_flags = Mesh::Property_map<Mesh::Edge_index, bool>;
 
 namespace {
 
-constexpr double right_angle = 1.57079632679489661923;
+using QL::internal::right_angle;
 const std::vector<QL::Cross_field_format> formats = {QL::ROSY, QL::RAWFIELD, QL::FFIELD,
                                                      QL::FFIELD_MPZ14};
 

@@ -16,6 +16,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -272,8 +273,7 @@ BOOST_AUTO_TEST_CASE(segments_of_curves)
   using QL::internal::number_of_segments;
   std::vector<QL::internal::Point> circle;
   for (int i = 0; i <= 90; ++i)
-    circle.emplace_back(std::cos(i * 3.14159265358979323846 / 180),
-                        std::sin(i * 3.14159265358979323846 / 180), 0);
+    circle.emplace_back(std::cos(i * CGAL_PI / 180), std::sin(i * CGAL_PI / 180), 0);
   // each covers an angle whose half has a cosine of at least 1 - tolerance
   BOOST_TEST(number_of_segments(circle, 1) == 1);
   BOOST_TEST(number_of_segments(circle, 1 - std::cos(0.1)) == 9); // 11 degrees each

@@ -11,6 +11,8 @@
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -126,7 +128,7 @@ BOOST_AUTO_TEST_CASE(quantizations_repeat_and_are_no_worse_than_the_start)
   const internal::Dual_graph graph(t);
   const double h = 0.01 * t.surface().diagonal();
   const auto paper = internal::build_quantization_program(
-      t, {std::tan(15 * 3.14159265358979323846 / 180), 4 * h, -4, 1});
+      t, {std::tan(15 * CGAL_PI / 180), 4 * h, -4, 1});
   auto program = internal::reduce(t, paper, graph);
   const internal::Monitor monitor;
   internal::Incumbent start(t, paper, graph, program, monitor);

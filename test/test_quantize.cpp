@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_type_config.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -42,7 +43,7 @@ QL::T_mesh with_surface(QL::T_mesh t_mesh)
 internal::Quantization_demands demands_of(const QL::T_mesh& t, double alpha, double r)
 {
   const double h = 0.01 * t.surface().diagonal();
-  return {std::tan(alpha * 3.14159265358979323846 / 180), 2 * r * h, -4, 1};
+  return {std::tan(alpha * CGAL_PI / 180), 2 * r * h, -4, 1};
 }
 
 // what must hold for every result

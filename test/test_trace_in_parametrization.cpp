@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/number_type_config.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -119,7 +120,7 @@ QL::T_mesh trace(const Map& map, double alpha = 15, double r = 2)
 
 void check_stopping_rule(const QL::T_mesh& t, double alpha, double r)
 {
-  invariants::check_stopping_rule(t, std::tan(alpha * 3.14159265358979323846 / 180),
+  invariants::check_stopping_rule(t, std::tan(alpha * CGAL_PI / 180),
                                   r * 0.01 * t.surface().diagonal());
 }
 
@@ -201,7 +202,7 @@ BOOST_AUTO_TEST_CASE(lengths_are_rounded_down)
 // stops in row 2 at column 1, and crosses the next line in (0,1), (0,2), (1,1), (1,2) and (2,1).
 BOOST_AUTO_TEST_CASE(torus_by_hand)
 {
-  const double alpha = std::atan(0.6) * 180 / 3.14159265358979323846;
+  const double alpha = std::atan(0.6) * 180 / CGAL_PI;
   const QL::T_mesh t = trace(square_torus(4), alpha, 0);
   BOOST_TEST(t.traces.size() == 4u);
   BOOST_TEST(t.number_of_vertices() == 1 + 4 * 5);

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_type_config.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -32,7 +33,6 @@ using Vector = Eigen::Vector3d;
 namespace {
 
 using generated::field_along;
-using generated::pi;
 using generated::random_field;
 
 // circles around the z-axis
@@ -47,7 +47,7 @@ Mesh double_pyramid(int n)
   std::vector<generated::Point> points = {{0, 0, 1}, {0, 0, -1}};
   std::vector<generated::Triangle> triangles;
   for (int i = 0; i < n; ++i) {
-    points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+    points.emplace_back(std::cos(2 * CGAL_PI * i / n), std::sin(2 * CGAL_PI * i / n), 0);
     const int a = 2 + i, b = 2 + (i + 1) % n;
     triangles.push_back({a, b, 0});
     triangles.push_back({b, a, 1});
@@ -64,7 +64,7 @@ int number_of_starts(const QL::T_mesh& t)
 void check_stopping_rule(const QL::T_mesh& t, double alpha, double r)
 {
   const double length = r * 0.01 * t.surface().diagonal();
-  invariants::check_stopping_rule(t, std::tan(alpha * pi / 180), length);
+  invariants::check_stopping_rule(t, std::tan(alpha * CGAL_PI / 180), length);
 }
 
 QL::T_mesh trace(const QL::Cross_field& field, double alpha, double r)

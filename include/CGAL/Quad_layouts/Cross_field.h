@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_CROSS_FIELD_H
 #define CGAL_QUAD_LAYOUTS_CROSS_FIELD_H
 
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
 #include <memory>
@@ -66,8 +67,7 @@ public:
   /// returns direction `d` of face `f` as a unit vector in space.
   Eigen::Vector3d direction(int f, int d) const
   {
-    constexpr double right_angle = 1.57079632679489661923;
-    return m_surface->direction(f, m_angle[f] + d * right_angle);
+    return m_surface->direction(f, m_angle[f] + d * internal::right_angle);
   }
   /// returns the `p` in 0..3 such that direction `d` of the face of halfedge `h` continues as
   /// direction `d + p` (mod 4) of the face on the other side.

@@ -11,6 +11,8 @@
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <cmath>
 
 namespace CGAL {
@@ -42,7 +44,7 @@ Deviation_limits deviation_limits(const Triangle_surface& surface, const NamedPa
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  constexpr double degree = 3.14159265358979323846 / 180;
+  constexpr double degree = CGAL_PI / 180;
   const double alpha = choose_parameter(get_parameter(np, internal_np::maximum_deviation), 15.);
   const double r = choose_parameter(get_parameter(np, internal_np::maximum_displacement), 2.);
   require_parameter(alpha > 0 && alpha < 90, "maximum_deviation", alpha,

@@ -9,6 +9,8 @@
 
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -40,18 +42,16 @@ public:
   // pairs.
   double transport(int h) const
   {
-    constexpr double pi = 3.14159265358979323846;
     const int g = m_surface->opposite(h);
-    return m_halfedge_angle[g] - m_halfedge_angle[h] + (h < g ? pi : -pi);
+    return m_halfedge_angle[g] - m_halfedge_angle[h] + (h < g ? CGAL_PI : -CGAL_PI);
   }
 
   // the angle at source(h) in face(h). The three of a face sum to pi up to rounding, whatever its
   // shape, because they are differences of the angles that make up the transports.
   double corner_angle(int h) const
   {
-    constexpr double pi = 3.14159265358979323846;
     const double turn = m_halfedge_angle[h] - m_halfedge_angle[Triangle_surface::prev(h)];
-    return pi - (turn < 0 ? turn + 2 * pi : turn);
+    return CGAL_PI - (turn < 0 ? turn + 2 * CGAL_PI : turn);
   }
 
   // the area of face f; not less than what the area of a needle loses by rounding, so that

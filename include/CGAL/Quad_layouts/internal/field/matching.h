@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_MATCHING_H
 
 #include <CGAL/Quad_layouts/internal/field/Face_connection.h>
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 
 #include <CGAL/assertions.h>
 
@@ -24,8 +25,6 @@ namespace internal {
 // direction d + p of the face on the other side; the *rotation* of h is the angle by which the
 // field then turns more than the surface, theta' + p pi/2 - theta - transport(h). Both change
 // their sign with the direction of h. The matching is p mod 4; the index needs p and the angles.
-
-constexpr double right_angle = 1.57079632679489661923;
 
 // the period jumps that turn the field least. Each edge is rounded once, on its canonical
 // halfedge, so the two halfedges agree even if the field turns by an eighth of a turn.

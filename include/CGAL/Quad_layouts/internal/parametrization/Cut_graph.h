@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_CUT_GRAPH_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 
 #include <vector>
 
@@ -37,11 +38,7 @@ public:
   // the number of the direction of the field that is the x-axis in the chart of face f
   int x_axis(int f) const { return m_turn[f]; }
   // the angle of the x-axis in the frame of face f
-  double x_angle(int f) const
-  {
-    constexpr double right_angle = 1.57079632679489661923;
-    return m_field.angle(f) + m_turn[f] * right_angle;
-  }
+  double x_angle(int f) const { return m_field.angle(f) + m_turn[f] * right_angle; }
 
   // by how many quarter-turns, 0 to 3, the chart of the face behind h turns what it takes over from
   // the chart of the face of h

@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 
 #include <array>
 #include <cmath>
@@ -59,8 +60,6 @@ private:
     int halfedge;
     double begin, end;
   };
-
-  static constexpr double right_angle = 1.57079632679489661923;
 
   std::vector<Petal> petals_at(int v) const
   {

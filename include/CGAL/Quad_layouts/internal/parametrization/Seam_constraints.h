@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/internal/Disjoint_sets.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Linear_relations.h>
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 
 #include <array>
 #include <cmath>
@@ -104,7 +105,6 @@ private:
 
   void keep_coordinate(int h)
   {
-    constexpr double right_angle = 1.57079632679489661923;
     const int f = m_surface.face(h);
     const int turns = int(
         std::lround((m_surface.halfedge_angle(h) - m_cut.x_angle(f)) / right_angle));

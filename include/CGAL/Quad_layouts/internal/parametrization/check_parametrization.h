@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Integer_128.h>
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 
 #include <cmath>
 #include <string>
@@ -76,7 +77,6 @@ inline int number_of_inverted_faces(const Seamless_parametrization& map)
 // rounding are rounded away.
 inline bool has_right_angle_sum(const Seamless_parametrization& map, int v)
 {
-  constexpr double right_angle = 1.57079632679489661923;
   double sum = 0;
   map.surface().for_each_outgoing(v, [&](int h) {
     const Eigen::Vector2d p = map.point(h), a = map.point(Triangle_surface::next(h)) - p,

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Vertex_steps.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -253,7 +254,7 @@ private:
     Surface_walk::Place best = start;
     double least = energy(v, start.point, spring, (std::numeric_limits<double>::infinity)());
     for (int k = 0; k < 16; ++k) {
-      const double angle = k * std::acos(-1.) / 4;
+      const double angle = k * CGAL_PI / 4;
       const Vector along = std::cos(angle) * t1 + std::sin(angle) * t2;
       const Vector step = k < 8 ? along : Vector((along + inwards) * std::sqrt(0.5));
       const auto place = m_quads.walk().slide(start, start.point + fraction * length * step);

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -187,11 +188,10 @@ public:
   // the direction of h in the frame of its face
   double halfedge_angle(int h) const
   {
-    constexpr double pi = 3.14159265358979323846;
     switch (h % 3) {
       case 0: return 0;
-      case 1: return pi - corner_angle(h);
-      default: return pi + corner_angle(h - 2);
+      case 1: return CGAL_PI - corner_angle(h);
+      default: return CGAL_PI + corner_angle(h - 2);
     }
   }
 
@@ -199,8 +199,7 @@ public:
   // face(opposite(h)), the two faces being unfolded about their edge
   double transport(int h) const
   {
-    constexpr double pi = 3.14159265358979323846;
-    return halfedge_angle(m_opposite[h]) - halfedge_angle(h) + pi;
+    return halfedge_angle(m_opposite[h]) - halfedge_angle(h) + CGAL_PI;
   }
 
   // the corners of f in its frame, the first at the origin

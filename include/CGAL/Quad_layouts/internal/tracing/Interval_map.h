@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_INTERVAL_MAP_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_INTERVAL_MAP_H
 
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 #include <CGAL/Quad_layouts/internal/tracing/Labels.h>
 
 #include <algorithm>
@@ -93,7 +94,6 @@ private:
   // where the straight line through the apex along `direction` meets the base
   double hit(int base, int direction) const
   {
-    constexpr double right_angle = 1.57079632679489661923;
     const int f = Labels::Surface::face(base), k = base % 3;
     const auto corners = m_field->surface().planar_corners(f);
     const double angle = m_field->angle(f) + direction * right_angle;

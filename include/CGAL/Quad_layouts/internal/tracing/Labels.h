@@ -9,6 +9,7 @@
 
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
+#include <CGAL/Quad_layouts/internal/right_angle.h>
 
 #include <cmath>
 #include <vector>
@@ -143,8 +144,6 @@ public:
   }
 
 private:
-  static constexpr double right_angle = 1.57079632679489661923;
-
   static int direction_of_normal(const Cross_field& field, int h)
   {
     const double normal = field.surface().halfedge_angle(h) - right_angle;
