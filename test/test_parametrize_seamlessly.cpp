@@ -80,6 +80,30 @@ int first_in_ring(const Seamless_parametrization::Surface& surface, int center, 
   }
 }
 
+// A drum with fans as top and bottom. The side between its first two corners spans `degrees` of the
+// circle; all others are equal.
+Mesh drum(int corners, double degrees)
+{
+  constexpr double degree = 2 * QL::internal::right_angle / 180;
+  Mesh mesh;
+  const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({0, 0, 1});
+  std::vector<Mesh::Vertex_index> low, high;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = i == 0 ? 0 : degrees + (i - 1) * (360 - degrees) / (corners - 1);
+    const double x = std::cos(angle * degree), y = std::sin(angle * degree);
+    low.push_back(mesh.add_vertex({x, y, 0}));
+    high.push_back(mesh.add_vertex({x, y, 1}));
+  }
+  for (int i = 0; i < corners; ++i) {
+    const int j = (i + 1) % corners;
+    mesh.add_face(a, low[j], low[i]);
+    mesh.add_face(b, high[i], high[j]);
+    mesh.add_face(low[i], low[j], high[j]);
+    mesh.add_face(low[i], high[j], high[i]);
+  }
+  return mesh;
+}
+
 QL::Cross_field field_along_features(Mesh& mesh)
 {
   const auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
@@ -211,6 +235,42 @@ BOOST_AUTO_TEST_CASE(features_inside)
   checked_map(field_along_features(slab), 0.1);
 }
 
+// The middle of a drum's top has fixed edges all around: were its spokes not divided, all of the
+// top's index would be there, and the edges would have no length.
+BOOST_AUTO_TEST_CASE(fans_in_fixed_edges)
+{
+  Mesh mesh = drum(16, 60);
+  checked_map(field_along_features(mesh), 0.1);
+}
+
+// An acute corner between fixed edges has a quadrant, and not a part of it in proportion.
+BOOST_AUTO_TEST_CASE(rosettes_keep_sectors)
+{
+  using QL::internal::Triangle_surface;
+  Mesh mesh = drum(3, 25);
+  const QL::Cross_field field = field_along_features(mesh);
+  const auto& surface = field.surface();
+  const QL::internal::Cut_graph cut(field);
+  const QL::internal::Seam_constraints seams(surface, cut);
+  QL::internal::Aligned_energy energy(surface, cut, seams, 0.1);
+  QL::internal::Reduced_newton newton(seams, energy);
+  const QL::internal::Rosettes rosettes(field, cut, 0.1);
+  for (int v = 0; v < surface.number_of_vertices(); ++v) {
+    if (surface.number_of_fixed_edges(v) < 3)
+      continue;
+    rosettes.demand(v, energy);
+    newton.align();
+    energy.release();
+    const Seamless_parametrization map = QL::internal::exact_parametrization(
+        field, cut, seams, newton.coordinates(), 0.1);
+    surface.for_each_outgoing(v, [&](int h) {
+      const Eigen::Vector2d a = map.point(Triangle_surface::next(h)) - map.point(h),
+                            b = map.point(Triangle_surface::prev(h)) - map.point(h);
+      BOOST_TEST(a.x() * b.y() - a.y() * b.x() > 0);
+    });
+  }
+}
+
 // fields with many singularities need inverted triangles to be turned back
 BOOST_AUTO_TEST_CASE(inverted_triangles_are_turned_back)
 {
@@ -286,7 +346,7 @@ BOOST_AUTO_TEST_CASE(errors_are_found)
   Seamless_parametrization wound = good;
   wound.vertex_index[3] += 4;
   BOOST_TEST(inexactness(wound) == "");
-  BOOST_TEST(QL::internal::number_of_wrong_windings(wound) == 1);
+  BOOST_TEST((QL::internal::wrong_windings(wound) == std::vector<int>{3}));
 }
 
 BOOST_AUTO_TEST_CASE(same_answer_twice)

@@ -60,15 +60,20 @@ public:
 
   // Turns inverted triangles back, as far as it can, and then improves the map, all triangles of
   // which stay positive. With the regularization going down as the worst triangle does, the energy
-  // of that one becomes decisive (Garanzha et al. 2021).
+  // of that one becomes decisive (Garanzha et al. 2021). What stays inverted while the energy hardly
+  // falls is folded such that no small move unfolds it.
   void untangle(double barrier, int most_steps, const Monitor& monitor)
   {
-    for (int i = 0; i < most_steps; ++i) {
+    constexpr double converged = 1e-4, stuck = 1e-3; // relative decreases
+    constexpr int patience = 10;
+    for (int i = 0, idle = 0; i < most_steps && idle < patience; ++i) {
       const double least = m_energy.least_determinant(m_x);
       m_energy.set_barrier(barrier, least > 0 ? 0 : std::hypot(1e-6, 0.2 * least));
       monitor.report("parametrize_seamlessly", double(i) / most_steps);
-      if (!step(least > 0) && least > 0)
+      const double decrease = step(least > 0);
+      if (least > 0 && decrease < converged)
         return;
+      idle = least <= 0 && decrease < stuck ? idle + 1 : 0;
     }
   }
 
@@ -90,8 +95,8 @@ private:
   }
 
   // goes along the direction as far as the energy falls, and, if the triangles are positive, not to
-  // where the first loses its area; returns false if that is hardly anywhere
-  bool step(bool is_positive)
+  // where the first loses its area; returns by which part the energy fell
+  double step(bool is_positive)
   {
     const Eigen::VectorXd move = direction(), start = m_x;
     const double before = m_energy.value(start);
@@ -100,10 +105,10 @@ private:
       m_x = start + length * move;
       const double after = m_energy.value(m_x);
       if (after < before)
-        return before - after > 1e-4 * before;
+        return (before - after) / before;
     }
     m_x = start;
-    return false;
+    return 0;
   }
 
   Aligned_energy& m_energy;

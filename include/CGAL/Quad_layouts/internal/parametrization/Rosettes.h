@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_ROSETTES_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/internal/field/sectors.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
 #include <CGAL/Quad_layouts/internal/right_angle.h>
@@ -22,19 +23,30 @@ namespace Quad_layouts {
 namespace internal {
 
 // Shapes for the triangles around vertices: they are spread over the angle that the index demands,
-// in proportion to their own angles, and turned as the field is in the mean.
+// in proportion to their own angles, and turned as the field is in the mean. Between fixed edges
+// they are spread over the quadrants that the field has there, and fixed edges lie along axes.
 //
 // Where the field turns fast, the map nearest to it may fold the triangles around a vertex of
 // valence 5 or more into the angle that is left by a full turn, and wind twice around others
 // instead. As all triangles may be positive there, nothing drives them back. But once all such
 // vertices have their angles, so have all vertices: the angles of positive triangles sum to what
 // the Euler characteristic demands, and a vertex of a smaller valence cannot lose a full turn.
+// Where triangles around a vertex are inverted and stay so, they are folded as well.
 class Rosettes
 {
 public:
   Rosettes(const Cross_field& field, const Cut_graph& cut, double edge_length)
-    : m_field(field), m_surface(field.surface()), m_cut(cut), m_edge_length(edge_length)
+    : m_field(field), m_surface(field.surface()), m_cut(cut), m_edge_length(edge_length),
+      m_connection(m_surface)
   {
+    for (int f = 0; f < m_surface.number_of_faces(); ++f)
+      m_angles.push_back(field.angle(f));
+    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
+      m_jumps.push_back(field.matching(h));
+    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
+      if (!m_surface.is_border(h))
+        m_jumps[h] -= 4 * int(std::lround(rotation(m_connection, m_angles, m_jumps, h) /
+                                          (4 * right_angle)));
   }
 
   // makes the triangles around v strive for their shapes
@@ -63,12 +75,10 @@ private:
 
   std::vector<Petal> petals_at(int v) const
   {
-    double sum = 0, direction = 0;
-    m_surface.for_each_outgoing(v, [&](int h) { sum += m_surface.corner_angle(h); });
-    const int quadrants = (m_surface.is_on_border(v) ? 2 : 4) - m_field.index(v);
+    double direction = 0;
     std::vector<Petal> result;
     m_surface.for_each_outgoing(v, [&](int h) {
-      const double end = direction + m_surface.corner_angle(h) * quadrants * right_angle / sum;
+      const double end = direction + m_connection.corner_angle(h) * widening(h);
       const int leaving = Triangle_surface::prev(h);
       result.push_back({h, direction, end});
       if (!m_surface.is_border(leaving))
@@ -77,13 +87,27 @@ private:
     return result;
   }
 
-  // the mean angle from the petals to where they would lie in a map along the field
+  // how much wider the corner of h has to be in the map than on the surface
+  double widening(int h) const
+  {
+    const int sector = sector_of(m_surface, h), v = m_surface.source(h);
+    if (sector >= 0)
+      return number_of_quadrants(m_connection, m_angles, m_jumps, sector) * right_angle /
+             sector_angle(m_connection, sector);
+    double sum = 0;
+    m_surface.for_each_outgoing(v, [&](int g) { sum += m_connection.corner_angle(g); });
+    return (4 - m_field.index(v)) * right_angle / sum;
+  }
+
+  // the angle from the petals to where they would lie in a map along the field, in the mean
   double phase_of(const std::vector<Petal>& petals) const
   {
     std::complex<double> sum = 0;
     for (const Petal& p : petals) {
       const int h = p.halfedge;
       const double along_field = m_surface.halfedge_angle(h) - m_cut.x_angle(m_surface.face(h));
+      if (m_surface.is_fixed(h))
+        return std::round(along_field / right_angle) * right_angle - p.begin;
       const double middle = along_field + m_surface.corner_angle(h) / 2;
       sum += m_surface.corner_angle(h) * std::polar(1., middle - (p.begin + p.end) / 2);
     }
@@ -99,6 +123,9 @@ private:
   const Triangle_surface& m_surface;
   const Cut_graph& m_cut;
   double m_edge_length;
+  Face_connection m_connection;
+  std::vector<double> m_angles;
+  std::vector<int> m_jumps; // those that fit the matchings and let the field turn least
 };
 
 } // namespace internal

@@ -58,7 +58,8 @@ public:
     untangle();
   }
 
-  // spreads the triangles around vertices of valence 5 and more that have a wrong sum of angles
+  // spreads the triangles around vertices that have a wrong sum of angles: those of valence 5 and
+  // more, or all of them if triangles are inverted
   void repair_windings()
   {
     constexpr int most_rounds = 3;
@@ -67,8 +68,8 @@ public:
       const Seamless_parametrization map = result();
       if (map.wrong_winding == 0)
         return;
-      for (int v = 0; v < m_field.surface().number_of_vertices(); ++v)
-        if (m_field.index(v) < 0 && !has_right_angle_sum(map, v))
+      for (const int v : wrong_windings(map))
+        if (m_field.index(v) < 0 || map.inverted > 0)
           vertices.push_back(v);
       align_with_rosettes(m_field, vertices);
     }
@@ -83,7 +84,7 @@ public:
     if (!error.empty())
       throw Stage_failure("parametrize_seamlessly: " + error);
     map.inverted = number_of_inverted_faces(map);
-    map.wrong_winding = number_of_wrong_windings(map);
+    map.wrong_winding = int(wrong_windings(map).size());
     return map;
   }
 

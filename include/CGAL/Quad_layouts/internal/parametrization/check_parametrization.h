@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -87,11 +88,13 @@ inline bool has_right_angle_sum(const Seamless_parametrization& map, int v)
   return std::abs(sum / right_angle - quadrants) < 0.5;
 }
 
-inline int number_of_wrong_windings(const Seamless_parametrization& map)
+// the vertices without the angle that their index demands
+inline std::vector<int> wrong_windings(const Seamless_parametrization& map)
 {
-  int result = 0;
+  std::vector<int> result;
   for (int v = 0; v < map.surface().number_of_vertices(); ++v)
-    result += map.surface().halfedge(v) >= 0 && !has_right_angle_sum(map, v);
+    if (map.surface().halfedge(v) >= 0 && !has_right_angle_sum(map, v))
+      result.push_back(v);
   return result;
 }
 

@@ -48,13 +48,29 @@ inline Triangle_surface split_bridges(const Triangle_surface& surface)
   return division.result();
 }
 
-// returns the surface with edges split at vertices from the number `first` on
-inline Triangle_surface split_edges_at(const Triangle_surface& surface, int first)
+// the vertices for which there has to be more room: those from the number `first` on, and those
+// inside of a fan of faces with a fixed boundary, which would get all of the index in there
+inline std::vector<char> crowded_vertices(const Triangle_surface& surface, int first)
+{
+  std::vector<char> result(surface.number_of_vertices());
+  for (int v = 0; v < surface.number_of_vertices(); ++v) {
+    bool is_enclosed = surface.halfedge(v) >= 0 && surface.number_of_fixed_edges(v) == 0;
+    surface.for_each_outgoing(v, [&](int h) {
+      is_enclosed = is_enclosed && surface.is_fixed(Triangle_surface::next(h));
+    });
+    result[v] = v >= first || is_enclosed;
+  }
+  return result;
+}
+
+// returns the surface with the edges at some vertices split
+inline Triangle_surface split_edges_at(const Triangle_surface& surface,
+                                       const std::vector<char>& is_chosen)
 {
   std::vector<int> edges;
   for (int e = 0; e < surface.number_of_edges(); ++e) {
     const int h = surface.halfedge_of_edge(e);
-    if (surface.source(h) >= first || surface.target(h) >= first)
+    if (is_chosen[surface.source(h)] || is_chosen[surface.target(h)])
       edges.push_back(e);
   }
   Face_division division(surface);
@@ -68,7 +84,7 @@ inline Triangle_surface split_edges_at(const Triangle_surface& surface, int firs
 inline Triangle_surface separate_fixed_curves(const Triangle_surface& surface)
 {
   const Triangle_surface separate = split_bridges(split_fixed_faces(surface));
-  return split_edges_at(separate, surface.number_of_vertices());
+  return split_edges_at(separate, crowded_vertices(separate, surface.number_of_vertices()));
 }
 
 } // namespace internal
