@@ -9,7 +9,6 @@
 
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
-#include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
@@ -19,7 +18,6 @@
 #include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
 #include <CGAL/Quad_layouts/internal/parametrization/exact_parametrization.h>
 
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -58,33 +56,26 @@ public:
     untangle();
   }
 
-  // spreads the triangles around vertices of valence 5 and more that have a wrong sum of angles
-  void repair_windings()
+  // the map after the triangles around vertices of valence 5 and more that have a wrong sum of
+  // angles were spread, as far as that helps
+  Seamless_parametrization repaired_result()
   {
     constexpr int most_rounds = 3;
     std::vector<int> vertices;
-    for (int round = 0; round < most_rounds; ++round) {
-      const Seamless_parametrization map = result();
-      if (map.wrong_winding == 0)
-        return;
+    Seamless_parametrization map = result();
+    for (int round = 0; round < most_rounds && map.wrong_winding > 0; ++round) {
       for (int v = 0; v < m_field.surface().number_of_vertices(); ++v)
         if (m_field.index(v) < 0 && !has_right_angle_sum(map, v))
           vertices.push_back(v);
       align_with_rosettes(m_field, vertices);
+      map = result();
     }
+    return map;
   }
 
-  // the map in integers, verified, with the counts of what is not locally injective
   Seamless_parametrization result() const
   {
-    Seamless_parametrization map = exact_parametrization(m_field, m_cut, m_seams,
-                                                         m_newton.coordinates(), m_edge_length);
-    const std::string error = inexactness(map);
-    if (!error.empty())
-      throw Stage_failure("parametrize_seamlessly: " + error);
-    map.inverted = number_of_inverted_faces(map);
-    map.wrong_winding = number_of_wrong_windings(map);
-    return map;
+    return exact_parametrization(m_field, m_cut, m_seams, m_newton.coordinates(), m_edge_length);
   }
 
 private:
