@@ -6,10 +6,12 @@
 
 // Parametrizes a model seamlessly, and writes the charts as texture coordinates: a grid as texture
 // becomes a net of lines on the model that follows the cross field and has no seams but for its
-// line numbers.
+// line numbers. Then reads such a file, as another tool may have made it, and traces in it.
 
+#include <CGAL/Quad_layouts/IO/seamless_parametrization.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/parametrize_seamlessly.h>
+#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,19 +25,6 @@
 namespace QL = CGAL::Quad_layouts;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-
-// writes the surface, which may have more triangles than the mesh, with coordinates for each corner
-void write_textured(std::ostream& out, const QL::Seamless_parametrization& map)
-{
-  const auto& surface = map.surface();
-  for (int v = 0; v < surface.number_of_vertices(); ++v)
-    out << "v " << surface.point(v).transpose() << '\n';
-  for (int h = 0; h < surface.number_of_halfedges(); ++h)
-    out << "vt " << map.point(h).transpose() << '\n';
-  for (int h = 0; h < surface.number_of_halfedges(); ++h)
-    out << (h % 3 == 0 ? "f " : " ") << surface.source(h) + 1 << '/' << h + 1
-        << (h % 3 == 2 ? "\n" : "");
-}
 
 int main(int argc, char* argv[])
 {
@@ -55,8 +44,16 @@ int main(int argc, char* argv[])
               << " edges with a quarter-turn, " << map.inverted << " inverted triangles, "
               << map.wrong_winding << " vertices with a wrong sum of angles" << std::endl;
     std::ofstream out("seamless.obj");
-    write_textured(out, map);
-    return out.good() ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (!QL::IO::write_seamless_parametrization(out, map))
+      return EXIT_FAILURE;
+    out.close();
+
+    std::ifstream in("seamless.obj");
+    const QL::Seamless_parametrization read = QL::IO::read_seamless_parametrization(in, mesh);
+    const QL::T_mesh t_mesh = QL::trace_motorcycle_graph(read);
+    std::cout << t_mesh.number_of_faces() << " patches of the T-mesh in the parametrization read, "
+              << QL::compute_cross_field(read).number_of_singularities() << " cones" << std::endl;
+    return EXIT_SUCCESS;
   } catch (const QL::Error& error) {
     std::cerr << error.what() << std::endl;
     return EXIT_FAILURE;

@@ -60,6 +60,18 @@ cube()
 
 cube 8 >cube.off
 
+# The cube with a parametrization: each side, seen from outside, is a chart.
+awk 'BEGIN { v = 0 }
+     NR > 2 && NF == 3 { x[v] = $1; y[v] = $2; z[v++] = $3; print "v", $0 }
+     function chart(a, b, turned) { return turned ? "vt " b " " a : "vt " a " " b }
+     NF == 4 {
+       for (i = 2; i <= 4; ++i)
+         if (x[$2] == x[$3] && x[$3] == x[$4]) print chart(y[$i], z[$i], x[$i] == 0)
+         else if (y[$2] == y[$3] && y[$3] == y[$4]) print chart(z[$i], x[$i], y[$i] == 0)
+         else print chart(x[$i], y[$i], z[$i] == 0)
+       print "f " $2 + 1 "/-3 " $3 + 1 "/-2 " $4 + 1 "/-1"
+     }' cube.off >charts.obj
+
 # usage
 expect 2 "no input"
 expect 2 "unknown option --colour" cube.off --colour red
@@ -70,6 +82,7 @@ expect 2 "unknown solver" cube.off --solver oracle
 expect 2 "time limit must be greater than 0" cube.off --time-limit 0
 expect 2 "unknown field method" cube.off --field-method guess
 expect 2 "unknown route" cube.off --route detour
+expect 2 "exclude each other" charts.obj --parametrization charts.obj --field field.rosy
 expect 2 "maximum_deviation" cube.off --alpha 200 --quiet
 expect 2 "write-field needs a file" cube.off --write-field field.txt --quiet
 expect 0 "" --help
@@ -110,6 +123,9 @@ expect 1 "1 vectors for 768 faces" cube.off --field short.txt --quiet
 
 echo "1" >short.rosy
 expect 1 "line 1: the field has 1 faces, the mesh has 768" cube.off --field short.rosy --quiet
+sed '0,/^vt 0 0$/s//vt 0.5 0/' charts.obj >torn.obj
+expect 1 "not seamless: the sides of the edge" charts.obj --output torn --parametrization torn.obj
+expect 1 "no such file" charts.obj --output torn --parametrization absent.obj
 
 echo "x0 1" >wrong.sol
 expect 1 "opposite sides of patches are not equally long" cube.off --read-solution wrong.sol --quiet
@@ -157,6 +173,12 @@ for format in rosy rawfield ffield; do
   grep -q '"patches": 6,' by_$format/stats.json || fail "a field in .$format does not come back"
 done
 rm -r by_*
+
+# a parametrization of another tool
+expect 0 "" charts.obj --output charts --edge-length 0.05 --parametrization charts.obj --quiet
+grep -q '"route": "parametrization"' charts/stats.json || fail "the given parametrization is not used"
+grep -q '"patches": 6,' charts/stats.json || fail "the charts of a cube do not give its sides"
+rm -r charts
 
 # a surface with a border
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n' >open.off

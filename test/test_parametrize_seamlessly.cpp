@@ -146,6 +146,17 @@ BOOST_AUTO_TEST_CASE(relations_by_hand)
   BOOST_TEST(x[0] + x[1] == 2 * x[3]);
 }
 
+BOOST_AUTO_TEST_CASE(relations_of_large_numbers)
+{
+  QL::internal::Linear_relations relations(40);
+  const auto demand_all = [&] {
+    for (int i = 0; i + 1 < 40; ++i)
+      relations.add({{i, 3}, {i + 1, -7}});
+    relations.finish();
+  };
+  BOOST_CHECK_THROW(demand_all(), QL::Stage_failure);
+}
+
 BOOST_AUTO_TEST_CASE(derivatives_of_the_distortion)
 {
   using QL::internal::Regularized_distortion;
@@ -313,8 +324,7 @@ BOOST_AUTO_TEST_CASE(wrong_windings_are_repaired)
   const Seamless_parametrization map = optimization.result();
   BOOST_TEST(map.inverted == 0);
   BOOST_TEST(map.wrong_winding == 2);
-  optimization.repair_windings();
-  check(optimization.result());
+  check(optimization.repaired_result());
 }
 
 BOOST_AUTO_TEST_CASE(lengths_scale)

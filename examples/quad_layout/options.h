@@ -25,6 +25,7 @@ struct Options
   std::string input;
   std::string output = ".";
   std::string field; // a file, or empty; so are these:
+  std::string parametrization;
   std::string written_field;
   std::string program;                    // to write
   std::string solution;                   // to read
@@ -50,7 +51,8 @@ inline const char* usage()
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
          "                         [--solver NAME] [--search-limit S] [--time-limit S]\n"
          "                         [--field FILE] [--field-method NAME] [--write-field FILE]\n"
-         "                         [--route NAME] [--features DEG] [--repair]\n"
+         "                         [--parametrization FILE] [--route NAME] [--features DEG]\n"
+         "                         [--repair]\n"
          "                         [--write-program FILE] [--read-solution FILE] [--quiet]\n"
          "\n"
          "Computes a simple quad layout of a triangle mesh, and a quad mesh on it.\n"
@@ -71,6 +73,9 @@ inline const char* usage()
          "y z\"\n"
          "                         for each face\n"
          "  --field-method NAME    of smooth fields: diffusion or mixed-integer (diffusion)\n"
+         "  --parametrization FILE a seamless parametrization, given by the texture coordinates of "
+         "an\n"
+         "                         OBJ file of INPUT, to use in place of a field\n"
          "  --route NAME           what layout lines follow: the field, or a seamless "
          "parametrization\n"
          "                         if one is found: field or parametrization (field)\n"
@@ -147,6 +152,7 @@ inline Options parse(int argc, char* argv[])
       {"--search-limit", real(result.search_limit)},
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},
+      {"--parametrization", text(result.parametrization)},
       {"--field-method", text(result.field_method)},
       {"--route", text(result.route)},
       {"--write-field", text(result.written_field)},
@@ -184,6 +190,8 @@ inline Options parse(int argc, char* argv[])
                       ": there are diffusion and mixed-integer");
   if (result.route != "field" && result.route != "parametrization")
     throw Usage_error("unknown route " + result.route + ": there are field and parametrization");
+  if (!result.field.empty() && !result.parametrization.empty())
+    throw Usage_error("--field and --parametrization exclude each other");
   if (!(result.features >= 0) || result.features > 180)
     throw Usage_error("--features needs an angle from 0 to 180 degrees");
   return result;

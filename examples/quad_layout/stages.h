@@ -11,6 +11,7 @@
 #include "options.h"
 
 #include <CGAL/Quad_layouts/IO/quantization_program.h>
+#include <CGAL/Quad_layouts/IO/seamless_parametrization.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
+#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 #include <CGAL/Quad_layouts/visitor.h>
 #ifdef CGAL_USE_CBC
 #include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
@@ -162,6 +164,18 @@ QL::Cross_field field_of(Mesh& mesh, const Options& options, const EdgeMap& feat
   return QL::compute_cross_field(mesh, np.face_direction_map(read_field(options.field, mesh)));
 }
 
+// reads a parametrization, in which lines of constant coordinates run along the features
+template <class EdgeMap>
+QL::Seamless_parametrization read_parametrization(const std::string& file, const Mesh& mesh,
+                                                  const EdgeMap& features)
+{
+  std::ifstream in(file);
+  if (!in)
+    throw Input_error(file + ": no such file");
+  return QL::IO::read_seamless_parametrization(
+      in, mesh, QL::parameters::default_values().edge_is_constrained_map(features));
+}
+
 inline void write_field(const std::string& file, const QL::Cross_field& field)
 {
   const auto format = field_format(file);
@@ -234,11 +248,19 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
   const auto features = sharp_edges(mesh, options.features);
   const auto on_feature =
       r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_feature", false).first;
-  r.field = clock(
-      "field", [&] { return field_of(mesh, options, features, progress, clock.seconds_left()); });
+  if (options.parametrization.empty()) {
+    r.field = clock(
+        "field", [&] { return field_of(mesh, options, features, progress, clock.seconds_left()); });
+    r.t_mesh = clock("trace", [&] { return QL::compute_t_mesh(r.field, limited()); });
+  } else {
+    const QL::Seamless_parametrization map = clock("parametrization", [&] {
+      return read_parametrization(options.parametrization, mesh, features);
+    });
+    r.field = QL::compute_cross_field(map);
+    r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(map, limited()); });
+  }
   if (!options.written_field.empty())
     write_field(options.written_field, r.field);
-  r.t_mesh = clock("trace", [&] { return QL::compute_t_mesh(r.field, limited()); });
   if (!options.program.empty())
     write_program(options.program, r.t_mesh, np);
   r.quantization = clock("quantize", [&] {

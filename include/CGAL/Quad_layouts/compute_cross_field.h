@@ -8,9 +8,11 @@
 #define CGAL_QUAD_LAYOUTS_COMPUTE_CROSS_FIELD_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/field/face_vectors.h>
 #include <CGAL/Quad_layouts/internal/field/smooth_cross_field.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Given_charts.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
 #include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
@@ -189,6 +191,23 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);
   });
+}
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+returns the cross field of the directions in which the lines of constant coordinates of a seamless
+parametrization run: along fixed edges exactly, and elsewhere as if each triangle was mapped by the
+rotation that is nearest to its map. Its surface is that of the parametrization.
+
+The time is linear in the number of faces.
+*/
+inline Cross_field compute_cross_field(const Seamless_parametrization& map)
+{
+  std::vector<internal::Point2> corners;
+  for (int h = 0; h < map.surface().number_of_halfedges(); ++h)
+    corners.push_back(map.point(h));
+  return internal::Given_charts(map.surface_pointer, std::move(corners)).field();
 }
 
 } // namespace Quad_layouts

@@ -87,6 +87,13 @@ public:
   using Invalid_mesh::Invalid_mesh;
 };
 
+/// says that given coordinates of corners are no seamless parametrization, and names an edge.
+class Invalid_parametrization : public Error
+{
+public:
+  using Error::Error;
+};
+
 /// says that the value of a named parameter is outside its range.
 class Invalid_parameter : public Error
 {

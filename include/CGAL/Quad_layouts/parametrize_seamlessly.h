@@ -26,8 +26,7 @@ inline Seamless_parametrization seamless_parametrization(const Cross_field& fiel
 {
   Seamless_optimization optimization(field, edge_length, most_steps, monitor);
   optimization.align();
-  optimization.repair_windings();
-  return optimization.result();
+  return optimization.repaired_result();
 }
 
 } // namespace internal

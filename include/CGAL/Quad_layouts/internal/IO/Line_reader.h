@@ -45,6 +45,14 @@ public:
     return "";
   }
 
+  // reads a word of this line; an empty string at its end
+  std::string word()
+  {
+    std::string result;
+    m_words >> result;
+    return result;
+  }
+
   // reads a number, from the next line if there is no other on this one
   template <class Number>
   Number number()

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_IO_READ_FIELD_H
 
 #include <CGAL/Quad_layouts/internal/IO/Line_reader.h>
+#include <CGAL/Quad_layouts/internal/IO/first_halfedge.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
 #include <istream>
@@ -76,18 +77,6 @@ inline void read_frames(Line_reader& reader, Field_in_file& field)
   }
 }
 
-// the halfedge of face f that ends in the vertex whose number is read first, if the three numbers
-// that are read are its vertices in order
-inline int read_halfedge(Line_reader& reader, const Triangle_surface& surface, int f)
-{
-  const int a = reader.number<int>(), b = reader.number<int>(), c = reader.number<int>();
-  for (int h = 3 * f; h < 3 * f + 3; ++h)
-    if (surface.target(h) == a && surface.target(Triangle_surface::next(h)) == b &&
-        surface.source(h) == c)
-      return h;
-  reader.fail("face " + std::to_string(f) + " has other vertices in the mesh");
-}
-
 // The halfedges that the angles of faces are measured from. Each line of the matchings begins with
 // the vertices of a face, and the first halfedge ends in the first of them. Without matchings the
 // order is that of the mesh.
@@ -98,7 +87,8 @@ inline std::vector<int> read_matchings(Line_reader& reader, const Triangle_surfa
   if (has_sharp)
     field.sharp.assign(surface.number_of_halfedges(), 0);
   for (int f = 0; f < surface.number_of_faces(); ++f) {
-    const int first = read_halfedge(reader, surface, f);
+    const int a = reader.number<int>(), b = reader.number<int>(), c = reader.number<int>();
+    const int first = Triangle_surface::prev(first_halfedge(reader, surface, f, {a, b, c}));
     result.push_back(first);
     for (int matching = 0; matching < 3; ++matching)
       reader.number<double>();

@@ -7,6 +7,8 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_LINEAR_RELATIONS_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_LINEAR_RELATIONS_H
 
+#include <CGAL/Quad_layouts/exceptions.h>
+
 #include <boost/rational.hpp>
 
 #include <algorithm>
@@ -41,7 +43,7 @@ public:
     const Number factor = -1 / pivot->second;
     equation.erase(pivot);
     for (auto& term : equation)
-      term.second *= factor;
+      term.second = checked(term.second * factor);
     m_position[unknown] = int(m_determined.size());
     m_determined.push_back({unknown, std::move(equation)});
   }
@@ -67,7 +69,7 @@ public:
     std::int64_t result = 1;
     for (const Determined& d : m_determined)
       for (const auto& term : d.combination)
-        result = std::lcm(result, term.second.denominator());
+        result = checked(std::lcm(result, term.second.denominator())).numerator();
     return result;
   }
 
@@ -94,6 +96,16 @@ private:
     return (std::max)(std::abs(x.numerator()), x.denominator());
   }
 
+  // throws if further sums and products of such numbers could overflow
+  static Number checked(const Number& x)
+  {
+    constexpr std::int64_t largest = std::int64_t(1) << 30;
+    if (size(x) > largest)
+      throw Stage_failure("seamless parametrization: the relations along the seams need numbers "
+                          "that are too large");
+    return x;
+  }
+
   // Replaces determined unknowns, the one determined first of them first: others in its combination
   // are determined later, so this ends.
   void substitute(Combination& combination) const
@@ -109,7 +121,7 @@ private:
       combination.erase(first);
       for (const auto& term : this->combination(first)) {
         Number& sum = combination[term.first];
-        sum += factor * term.second;
+        sum = checked(sum + checked(factor * term.second));
         if (sum == 0)
           combination.erase(term.first);
       }

@@ -9,7 +9,6 @@
 
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
-#include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
@@ -19,8 +18,8 @@
 #include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
 #include <CGAL/Quad_layouts/internal/parametrization/exact_parametrization.h>
 
-#include <string>
-#include <vector>
+#include <cstddef>
+#include <set>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -48,7 +47,7 @@ public:
 
   // does the same with the triangles around some vertices spread like the rosettes of another
   // field, which differs in its indices at most, and then lets them go
-  void align_with_rosettes(const Cross_field& field, const std::vector<int>& vertices)
+  void align_with_rosettes(const Cross_field& field, const std::set<int>& vertices)
   {
     const Rosettes rosettes(field, m_cut, m_edge_length);
     for (const int v : vertices)
@@ -58,34 +57,29 @@ public:
     untangle();
   }
 
-  // spreads the triangles around vertices that have a wrong sum of angles: those of valence 5 and
-  // more, or all of them if triangles are inverted
-  void repair_windings()
+  // the map after the triangles around vertices that have a wrong sum of angles were spread, as far
+  // as that helps: around those of valence 5 and more, or all of them if triangles are inverted
+  Seamless_parametrization repaired_result()
   {
     constexpr int most_rounds = 3;
-    std::vector<int> vertices;
-    for (int round = 0; round < most_rounds; ++round) {
-      const Seamless_parametrization map = result();
-      if (map.wrong_winding == 0)
-        return;
+    std::set<int> vertices;
+    Seamless_parametrization map = result();
+    for (int round = 0; round < most_rounds && map.wrong_winding > 0; ++round) {
+      const std::size_t known = vertices.size();
       for (const int v : wrong_windings(map))
         if (m_field.index(v) < 0 || map.inverted > 0)
-          vertices.push_back(v);
+          vertices.insert(v);
+      if (vertices.size() == known)
+        break;
       align_with_rosettes(m_field, vertices);
+      map = result();
     }
+    return map;
   }
 
-  // the map in integers, verified, with the counts of what is not locally injective
   Seamless_parametrization result() const
   {
-    Seamless_parametrization map = exact_parametrization(m_field, m_cut, m_seams,
-                                                         m_newton.coordinates(), m_edge_length);
-    const std::string error = inexactness(map);
-    if (!error.empty())
-      throw Stage_failure("parametrize_seamlessly: " + error);
-    map.inverted = number_of_inverted_faces(map);
-    map.wrong_winding = int(wrong_windings(map).size());
-    return map;
+    return exact_parametrization(m_field, m_cut, m_seams, m_newton.coordinates(), m_edge_length);
   }
 
 private:

@@ -11,11 +11,13 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
+#include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -42,7 +44,7 @@ inline std::vector<std::int64_t> rounded_unknowns(const Seam_constraints& seams,
   const Linear_relations& relations = seams.relations();
   const std::int64_t denominator = relations.common_denominator();
   if (denominator > largest_denominator)
-    throw Stage_failure("parametrize_seamlessly: the seams demand the denominator " +
+    throw Stage_failure("seamless parametrization: the seams demand the denominator " +
                         std::to_string(denominator));
   std::vector<std::int64_t> result(seams.number_of_unknowns(), 0);
   for (int i = 0; i < seams.number_of_unknowns(); ++i)
@@ -55,12 +57,12 @@ inline std::vector<std::int64_t> rounded_unknowns(const Seam_constraints& seams,
   return result;
 }
 
-// the parametrization with coordinates near to x, which are in target edge lengths; without the
-// counts of what is wrong
-inline Seamless_parametrization exact_parametrization(const Cross_field& field,
-                                                      const Cut_graph& cut,
-                                                      const Seam_constraints& seams,
-                                                      const Eigen::VectorXd& x, double edge_length)
+// the parametrization with rounded coordinates, without the counts of what is wrong
+inline Seamless_parametrization rounded_parametrization(const Cross_field& field,
+                                                        const Cut_graph& cut,
+                                                        const Seam_constraints& seams,
+                                                        const Eigen::VectorXd& x,
+                                                        double edge_length)
 {
   const Triangle_surface& surface = field.surface();
   Seamless_parametrization result;
@@ -81,6 +83,22 @@ inline Seamless_parametrization exact_parametrization(const Cross_field& field,
     }
   for (int v = 0; v < surface.number_of_vertices(); ++v)
     result.vertex_index.push_back(field.index(v));
+  return result;
+}
+
+// the parametrization with coordinates near to x, which are in target edge lengths, in integers,
+// verified, with the counts of what is not locally injective
+inline Seamless_parametrization exact_parametrization(const Cross_field& field,
+                                                      const Cut_graph& cut,
+                                                      const Seam_constraints& seams,
+                                                      const Eigen::VectorXd& x, double edge_length)
+{
+  Seamless_parametrization result = rounded_parametrization(field, cut, seams, x, edge_length);
+  const std::string error = inexactness(result);
+  if (!error.empty())
+    throw Stage_failure("seamless parametrization: " + error);
+  result.inverted = number_of_inverted_faces(result);
+  result.wrong_winding = int(wrong_windings(result).size());
   return result;
 }
 
