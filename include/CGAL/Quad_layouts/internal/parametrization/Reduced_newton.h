@@ -9,10 +9,10 @@
 
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/Sparse_cholesky.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -115,7 +115,7 @@ private:
   std::vector<int> m_free;             // the free unknowns
   Eigen::SparseMatrix<double> m_basis; // N
   Eigen::VectorXd m_x;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
+  Sparse_cholesky<double> m_solver;
   bool m_is_analyzed = false;
 };
 
