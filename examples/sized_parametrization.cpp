@@ -4,8 +4,8 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Parametrizes a model with lines that are close to each other at its lower end and far apart at the
-// upper one, and along one direction of the field twice as far apart as along the other.
+// Parametrizes a model with lines that are close to each other at its lower end and far apart at
+// the upper one, and along one direction of the field twice as far apart as along the other.
 
 #include <CGAL/Quad_layouts/IO/seamless_parametrization.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>

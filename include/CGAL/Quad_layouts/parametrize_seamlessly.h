@@ -67,11 +67,11 @@ field and mesh, and not every one that there is will be found.
     \cgalParamExtra{It must be positive.}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length_map}
-    \cgalParamDescription{the same for each face, or two lengths for each: along directions 0 and 1 of
-                          the field in the face. The map follows them as closely as its seams and
+    \cgalParamDescription{the same for each face, or two lengths for each: along directions 0 and 1
+                          of the field in the face. The map follows them as closely as its seams and
                           fixed edges let it; lengths that change slowly are kept best.}
-    \cgalParamType{a class model of `ReadablePropertyMap` with `int`, a face of `field.surface()`, as
-                   key type and `double` or an array of two `double` as value type}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `int`, a face of `field.surface()`,
+                   as key type and `double` or an array of two `double` as value type}
     \cgalParamDefault{`target_edge_length` for all faces}
     \cgalParamExtra{Lengths must be positive. `target_edge_length` still is the unit in which
                     `Seamless_parametrization::edge_length` and stages to come measure.}

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// The direct solver of all sparse systems of equations, whose matrices are symmetric and positive
-// definite. It reads their lower triangles.
+// The direct solver of sparse systems of equations, whose matrices are symmetric and positive
+// definite; it reads their lower triangles. Who needs the factor itself takes Eigen's.
 #ifdef CGAL_USE_CHOLMOD
 template <class Number>
 class Sparse_cholesky : public Eigen::CholmodDecomposition<Eigen::SparseMatrix<Number>>

@@ -8,9 +8,9 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SPRING_SOLVER_H
 
 #include <CGAL/Quad_layouts/exceptions.h>
-#include <CGAL/Quad_layouts/internal/Sparse_cholesky.h>
 #include <CGAL/Quad_layouts/internal/field/Cross_springs.h>
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -150,7 +150,7 @@ private:
   std::vector<char> m_active;
   std::vector<int> m_unknown, m_free_faces;
   bool m_is_analyzed = false;
-  Sparse_cholesky<double> m_solver;
+  Eigen::SimplicialLDLT<Matrix> m_solver;
   Eigen::VectorXd m_diagonal; // the matrix D
   std::vector<double> m_load; // per row of the factor, 0 but within resistance(); so is this:
   std::vector<char> m_is_on_path;

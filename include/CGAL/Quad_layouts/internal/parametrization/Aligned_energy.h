@@ -35,8 +35,8 @@ namespace internal {
 //
 // J being the Jacobian in the coordinates of the chart, its rows multiplied by the target lengths
 // along the axes. The first part is that of Bommes, Zimmer and Kobbelt (2009): the map follows the
-// field, with these lengths. The second part keeps triangles from being inverted, or turns them back. For
-// some triangles another J than 1 can be demanded, which then counts more than all else.
+// field, with these lengths. The second part keeps triangles from being inverted, or turns them
+// back. For some triangles another J than 1 can be demanded, which then counts more than all else.
 class Aligned_energy
 {
 public:

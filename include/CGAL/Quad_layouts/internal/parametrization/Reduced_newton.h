@@ -60,8 +60,8 @@ public:
 
   // Turns inverted triangles back, as far as it can, and then improves the map, all triangles of
   // which stay positive. With the regularization going down as the worst triangle does, the energy
-  // of that one becomes decisive (Garanzha et al. 2021). What stays inverted while the energy hardly
-  // falls is folded such that no small move unfolds it.
+  // of that one becomes decisive (Garanzha et al. 2021). What stays inverted while the energy
+  // hardly falls is folded such that no small move unfolds it.
   void untangle(double barrier, int most_steps, const Monitor& monitor)
   {
     constexpr double converged = 1e-4, stuck = 1e-3; // relative decreases
