@@ -14,6 +14,7 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -78,6 +79,64 @@ int first_in_ring(const Seamless_parametrization::Surface& surface, int center, 
       }
     });
   }
+}
+
+// a property map with a length, or two, for each face
+template <class Length>
+struct Face_lengths
+{
+  using key_type = int;
+  using value_type = Length;
+  using reference = const Length&;
+  using category = boost::readable_property_map_tag;
+
+  std::vector<Length> lengths;
+
+  friend reference get(const Face_lengths& map, int f) { return map.lengths[f]; }
+};
+
+using Length_pairs = Face_lengths<std::array<double, 2>>;
+
+// length(centroid, direction) for directions 0 and 1 of the field in each face
+template <class Length>
+Length_pairs lengths_of_faces(const QL::Cross_field& field, const Length& length)
+{
+  Length_pairs result;
+  const auto& surface = field.surface();
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+      sum += surface.point(surface.source(3 * f + k));
+    result.lengths.push_back(
+        {length(sum / 3, field.direction(f, 0)), length(sum / 3, field.direction(f, 1))});
+  }
+  return result;
+}
+
+// the root of the mean square of the logarithms of how much longer edges are in the map than
+// lengths along the directions of the field demand
+double error_of_lengths(const Seamless_parametrization& map, const QL::Cross_field& field,
+                        const Length_pairs& lengths)
+{
+  const auto& surface = map.surface();
+  double sum = 0;
+  for (int h = 0; h < surface.number_of_halfedges(); ++h) {
+    const int f = surface.face(h);
+    Eigen::Vector2d demanded;
+    for (int d = 0; d < 2; ++d)
+      demanded[d] = surface.vector(h).dot(field.direction(f, d)) / lengths.lengths[f][d];
+    const double in_map = (map.point(surface.next(h)) - map.point(h)).norm();
+    sum += std::pow(std::log(in_map / demanded.norm()), 2);
+  }
+  return std::sqrt(sum / surface.number_of_halfedges());
+}
+
+Seamless_parametrization sized_map(const QL::Cross_field& field, const Length_pairs& lengths)
+{
+  const Seamless_parametrization map = QL::parametrize_seamlessly(
+      field, params::target_edge_length(0.1).target_edge_length_map(lengths));
+  check(map);
+  return map;
 }
 
 // A drum with fans as top and bottom. The side between its first two corners spans `degrees` of the
@@ -335,6 +394,64 @@ BOOST_AUTO_TEST_CASE(lengths_scale)
     BOOST_TEST((a.point(h) - 2 * b.point(h)).norm() < 1e-3 * (1 + a.point(h).norm()));
 }
 
+// lengths that grow along a plate, in one direction, can be kept
+BOOST_AUTO_TEST_CASE(lengths_grow_along_a_plate)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::plate_with_holes(2, 1, {}, 24));
+  const auto lengths = lengths_of_faces(field, [](const Eigen::Vector3d& p, const auto& direction) {
+    return std::abs(direction.x()) > 0.5 ? 0.05 + 0.05 * p.x() : 0.1;
+  });
+  BOOST_TEST(error_of_lengths(sized_map(field, lengths), field, lengths) < 0.02);
+}
+
+// the field has its own idea of lengths here, so that no map can have both
+BOOST_AUTO_TEST_CASE(lengths_grow_over_a_sphere)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::icosphere(4));
+  const auto lengths = lengths_of_faces(
+      field, [](const Eigen::Vector3d& p, const auto&) { return 0.1 * std::exp(0.7 * p.z()); });
+  const Seamless_parametrization sized = sized_map(field, lengths);
+  const Seamless_parametrization uniform = checked_map(field, 0.1);
+  BOOST_TEST(error_of_lengths(sized, field, lengths) <
+             0.75 * error_of_lengths(uniform, field, lengths));
+  const auto mean_length = [&](const Seamless_parametrization& map, double sign) {
+    double on_surface = 0, in_map = 0;
+    for (int h = 0; h < map.surface().number_of_halfedges(); ++h)
+      if (sign * map.surface().point(map.surface().source(h)).z() > 0.7) {
+        on_surface += map.surface().length(h);
+        in_map += (map.point(map.surface().next(h)) - map.point(h)).norm();
+      }
+    return on_surface / in_map;
+  };
+  BOOST_TEST(mean_length(sized, 1) / mean_length(sized, -1) > 1.4);
+  BOOST_TEST(mean_length(uniform, 1) / mean_length(uniform, -1) < 1.2);
+}
+
+BOOST_AUTO_TEST_CASE(lengths_differ_by_direction)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::torus(48, 24, 4, 1));
+  const auto lengths = lengths_of_faces(field, [](const Eigen::Vector3d& p, const auto& direction) {
+    const Eigen::Vector3d around = Eigen::Vector3d(-p.y(), p.x(), 0).normalized();
+    return std::abs(around.dot(direction)) > 0.7 ? 0.3 : 0.1;
+  });
+  BOOST_TEST(error_of_lengths(sized_map(field, lengths), field, lengths) < 0.15);
+  BOOST_TEST(error_of_lengths(checked_map(field, 0.2), field, lengths) > 0.4);
+}
+
+BOOST_AUTO_TEST_CASE(equal_lengths_are_like_one)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::icosphere(3));
+  const Face_lengths<double> lengths{std::vector<double>(field.surface().number_of_faces(), 0.2)};
+  const Seamless_parametrization one = checked_map(field, 0.2),
+                                 many = QL::parametrize_seamlessly(
+                                     field, params::target_edge_length(0.1).target_edge_length_map(
+                                                lengths));
+  check(many);
+  BOOST_TEST(many.edge_length == 0.1);
+  for (int h = 0; h < field.surface().number_of_halfedges(); ++h)
+    BOOST_TEST((one.point(h) - many.point(h)).norm() < 1e-3 * (1 + one.point(h).norm()));
+}
+
 BOOST_AUTO_TEST_CASE(errors_are_found)
 {
   const Seamless_parametrization good = checked_map(QL::compute_cross_field(generated::cube(3)),
@@ -373,6 +490,9 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused)
   BOOST_CHECK_THROW(QL::parametrize_seamlessly(field, params::target_edge_length(0)),
                     QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::parametrize_seamlessly(field, params::number_of_iterations(0)),
+                    QL::Invalid_parameter);
+  const Face_lengths<double> lengths{{1, 1, -1, 1}};
+  BOOST_CHECK_THROW(QL::parametrize_seamlessly(field, params::target_edge_length_map(lengths)),
                     QL::Invalid_parameter);
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seamless_optimization.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Target_lengths.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
@@ -21,10 +22,10 @@ namespace Quad_layouts {
 namespace internal {
 
 inline Seamless_parametrization seamless_parametrization(const Cross_field& field,
-                                                         double edge_length, int most_steps,
-                                                         const Monitor& monitor)
+                                                         const Target_lengths& lengths,
+                                                         int most_steps, const Monitor& monitor)
 {
-  Seamless_optimization optimization(field, edge_length, most_steps, monitor);
+  Seamless_optimization optimization(field, lengths, most_steps, monitor);
   optimization.align();
   return optimization.repaired_result();
 }
@@ -43,11 +44,11 @@ sides of each cut are equal up to quarter-turns and translations. These are real
 integers: the parametrization is seamless, but no integer-grid map. Fixed edges of the field's
 surface get a constant coordinate. Then inverted triangles are turned back by the regularized
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
-unknowns of the seamless maps, so that the map stays seamless. Vertices of valence 5 and more around
-which triangles cover the wrong angle get their triangles spread over the right one first, and then
-the same is done again. At last coordinates are rounded to integer multiples of a power of two that
-satisfy all relations exactly (Mandad and Campen, <em>Exact constraint satisfaction for truly
-seamless parametrization</em>, 2019), which is verified in integers.
+unknowns of the seamless maps, so that the map stays seamless. Vertices around which triangles cover
+the wrong angle get their triangles spread over the right one first, and then the same is done
+again. At last coordinates are rounded to integer multiples of a power of two that satisfy all
+relations exactly (Mandad and Campen, <em>Exact constraint satisfaction for truly seamless
+parametrization</em>, 2019), which is verified in integers.
 
 The result counts what is not locally injective. There need not be a locally injective map for every
 field and mesh, and not every one that there is will be found.
@@ -64,6 +65,16 @@ field and mesh, and not every one that there is will be found.
     \cgalParamType{double}
     \cgalParamDefault{1 % of the bounding-box diagonal of the surface}
     \cgalParamExtra{It must be positive.}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length_map}
+    \cgalParamDescription{the same for each face, or two lengths for each: along directions 0 and 1
+                          of the field in the face. The map follows them as closely as its seams and
+                          fixed edges let it; lengths that change slowly are kept best.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `int`, a face of `field.surface()`,
+                   as key type and `double` or an array of two `double` as value type}
+    \cgalParamDefault{`target_edge_length` for all faces}
+    \cgalParamExtra{Lengths must be positive. `target_edge_length` still is the unit in which
+                    `Seamless_parametrization::edge_length` and stages to come measure.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the maximum number of steps of the optimization, which ends earlier when
@@ -106,9 +117,11 @@ Seamless_parametrization parametrize_seamlessly(
   internal::require_positive("target_edge_length", edge_length);
   internal::require_parameter(most_steps >= 1, "number_of_iterations", most_steps, "at least 1");
 
+  const internal::Target_lengths lengths = internal::read_target_lengths(
+      field, edge_length, get_parameter(np, internal_np::target_edge_length_map));
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("parametrize_seamlessly", [&] {
-    return internal::seamless_parametrization(field, edge_length, most_steps, monitor);
+    return internal::seamless_parametrization(field, lengths, most_steps, monitor);
   });
 }
 

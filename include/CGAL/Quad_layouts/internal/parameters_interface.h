@@ -15,6 +15,9 @@ CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(face_direction_map)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(face_constraint_map)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(layout_route)
 
+// of the parametrization
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(target_edge_length_map)
+
 // of tracing, quantization and everything that measures in target edge lengths
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(maximum_deviation)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(maximum_displacement)

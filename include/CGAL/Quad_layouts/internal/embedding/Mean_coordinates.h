@@ -7,10 +7,10 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_MEAN_COORDINATES_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_MEAN_COORDINATES_H
 
+#include <CGAL/Quad_layouts/internal/Sparse_cholesky.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <vector>
@@ -46,8 +46,7 @@ public:
     const Eigen::Index n = m_rhs.rows();
     Eigen::SparseMatrix<double> laplacian(n, n);
     laplacian.setFromTriplets(m_entries.begin(), m_entries.end());
-    const Eigen::MatrixXd x = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(
-        m_rhs);
+    const Eigen::MatrixXd x = Sparse_cholesky<double>(laplacian).solve(m_rhs);
     std::vector<Point2> result;
     for (Eigen::Index i = 0; i < n; ++i)
       result.push_back(x.row(i).transpose());

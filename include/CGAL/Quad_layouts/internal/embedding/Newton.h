@@ -7,12 +7,12 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_NEWTON_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_NEWTON_H
 
+#include <CGAL/Quad_layouts/internal/Sparse_cholesky.h>
 #include <CGAL/Quad_layouts/internal/embedding/Distortion.h>
 #include <CGAL/Quad_layouts/internal/embedding/Map.h>
 #include <CGAL/Quad_layouts/internal/embedding/Rest_shape.h>
 #include <CGAL/Quad_layouts/internal/embedding/first_loss_of_area.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -198,7 +198,7 @@ private:
   Eigen::VectorXd m_gradient;
   Eigen::SparseMatrix<double> m_hessian; // its lower half
   std::vector<Eigen::Triplet<double>> m_entries;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
+  Sparse_cholesky<double> m_solver;
   bool m_is_analyzed = false;
 };
 

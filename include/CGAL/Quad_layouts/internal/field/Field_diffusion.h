@@ -8,11 +8,11 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_FIELD_DIFFUSION_H
 
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Sparse_cholesky.h>
 #include <CGAL/Quad_layouts/internal/field/Face_connection.h>
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <cmath>
@@ -146,7 +146,7 @@ private:
   double m_mass;
   std::vector<int> m_unknown, m_free_faces;
   Eigen::VectorXcd m_constant;
-  Eigen::SimplicialLDLT<Matrix> m_solver;
+  Sparse_cholesky<Complex> m_solver;
 };
 
 } // namespace internal

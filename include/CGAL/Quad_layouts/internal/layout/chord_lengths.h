@@ -9,8 +9,8 @@
 
 #include <CGAL/Quad_layouts/Quad_layout.h>
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/Sparse_cholesky.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ inline std::vector<double> fit_chord_lengths(const T_mesh& t, const Quad_layout&
   }
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Sparse_cholesky<double> solver(matrix);
   const Eigen::VectorXd length = solver.solve(right);
   std::vector<double> result;
   for (int c = 0; c < n; ++c)

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Regularized_distortion.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Target_lengths.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -32,29 +33,31 @@ namespace internal {
 //
 //     sum over triangles  area (|J - 1|^2 + w distortion(J)),
 //
-// J being the Jacobian in the coordinates of the chart, in units of the target edge length. The
-// first part is that of Bommes, Zimmer and Kobbelt (2009): the map follows the field, with the
-// target edge length. The second part keeps triangles from being inverted, or turns them back. For
-// some triangles another J than 1 can be demanded, which then counts more than all else.
+// J being the Jacobian in the coordinates of the chart, its rows multiplied by the target lengths
+// along the axes. The first part is that of Bommes, Zimmer and Kobbelt (2009): the map follows the
+// field, with these lengths. The second part keeps triangles from being inverted, or turns them
+// back. For some triangles another J than 1 can be demanded, which then counts more than all else.
 class Aligned_energy
 {
 public:
   Aligned_energy(const Triangle_surface& surface, const Cut_graph& cut,
-                 const Seam_constraints& seams, double edge_length)
+                 const Seam_constraints& seams, const Target_lengths& lengths)
   {
+    const double unit = lengths.uniform();
     for (int f = 0; f < surface.number_of_faces(); ++f) {
       Face face;
       for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 2; ++i)
           face.unknown[2 * k + i] = seams.unknown(3 * f + k, i);
-      const Rest_shape rest(surface.point(surface.source(3 * f)) / edge_length,
-                            surface.point(surface.source(3 * f + 1)) / edge_length,
-                            surface.point(surface.source(3 * f + 2)) / edge_length);
+      const Rest_shape rest(surface.point(surface.source(3 * f)) / unit,
+                            surface.point(surface.source(3 * f + 1)) / unit,
+                            surface.point(surface.source(3 * f + 2)) / unit);
       const Eigen::Matrix2d to_chart = Eigen::Rotation2Dd(-cut.x_angle(f)).toRotationMatrix();
       const Eigen::Matrix2d b = rest.inverse * to_chart.transpose();
       face.weight = {Point2(-b.colwise().sum().transpose()), Point2(b.row(0).transpose()),
                      Point2(b.row(1).transpose())};
       face.area = rest.area;
+      face.length = lengths.along_axes(f, cut.x_axis(f));
       m_faces.push_back(face);
     }
   }
@@ -66,12 +69,12 @@ public:
     m_epsilon = epsilon;
   }
 
-  // demands a shape of face f, given by its corners
+  // demands a shape of face f, given by its corners in a map with the target lengths
   void demand(int f, const std::array<Point2, 3>& corners)
   {
     constexpr double emphasis = 100;
     Face& face = m_faces[f];
-    face.target = jacobian(face, corners);
+    face.target = unsized_jacobian(face, corners);
     face.emphasis = emphasis;
   }
 
@@ -112,7 +115,7 @@ public:
       for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 2; ++i)
           for (int c = 0; c < 2; ++c)
-            corners(2 * c + i, 2 * k + i) = face.weight[k][c];
+            corners(2 * c + i, 2 * k + i) = face.length[i] * face.weight[k][c];
       const Eigen::Matrix<double, 6, 1> g = face.area * corners.transpose() * by_j;
       const Eigen::Matrix<double, 6, 6> h = face.area * corners.transpose() * by_j_twice * corners;
       for (int a = 0; a < 6; ++a) {
@@ -146,7 +149,9 @@ private:
   struct Face
   {
     std::array<int, 6> unknown;   // the coordinates of the corners
-    std::array<Point2, 3> weight; // the row vectors whose products with the corners sum to J
+    Point2 length;                // the target lengths along the axes of the chart
+    std::array<Point2, 3> weight; // the row vectors whose products with the corners sum to J if
+                                  // these lengths are 1
     double area;                  // in squared target edge lengths
     Eigen::Matrix2d target = Eigen::Matrix2d::Identity(); // that J is to be near to
     double emphasis = 1;                                  // of that
@@ -162,10 +167,10 @@ private:
 
   static Eigen::Matrix2d jacobian(const Face& face, const Eigen::VectorXd& x)
   {
-    return jacobian(face, corners(face, x));
+    return face.length.asDiagonal() * unsized_jacobian(face, corners(face, x));
   }
 
-  static Eigen::Matrix2d jacobian(const Face& face, const std::array<Point2, 3>& p)
+  static Eigen::Matrix2d unsized_jacobian(const Face& face, const std::array<Point2, 3>& p)
   {
     Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
     for (int k = 0; k < 3; ++k)

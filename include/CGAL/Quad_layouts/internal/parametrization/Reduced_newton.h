@@ -9,10 +9,10 @@
 
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/Sparse_cholesky.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -60,8 +60,8 @@ public:
 
   // Turns inverted triangles back, as far as it can, and then improves the map, all triangles of
   // which stay positive. With the regularization going down as the worst triangle does, the energy
-  // of that one becomes decisive (Garanzha et al. 2021). What stays inverted while the energy hardly
-  // falls is folded such that no small move unfolds it.
+  // of that one becomes decisive (Garanzha et al. 2021). What stays inverted while the energy
+  // hardly falls is folded such that no small move unfolds it.
   void untangle(double barrier, int most_steps, const Monitor& monitor)
   {
     constexpr double converged = 1e-4, stuck = 1e-3; // relative decreases
@@ -115,7 +115,7 @@ private:
   std::vector<int> m_free;             // the free unknowns
   Eigen::SparseMatrix<double> m_basis; // N
   Eigen::VectorXd m_x;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
+  Sparse_cholesky<double> m_solver;
   bool m_is_analyzed = false;
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Quad_layouts/internal/parametrization/Reduced_newton.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Rosettes.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seam_constraints.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Target_lengths.h>
 #include <CGAL/Quad_layouts/internal/parametrization/check_parametrization.h>
 #include <CGAL/Quad_layouts/internal/parametrization/exact_parametrization.h>
 
@@ -30,11 +31,11 @@ class Seamless_optimization
 {
 public:
   // `field` must outlive this, and so must `monitor`
-  Seamless_optimization(const Cross_field& field, double edge_length, int most_steps,
+  Seamless_optimization(const Cross_field& field, const Target_lengths& lengths, int most_steps,
                         const Monitor& monitor)
-    : m_field(field), m_edge_length(edge_length), m_most_steps(most_steps), m_monitor(monitor),
-      m_cut(field), m_seams(field.surface(), m_cut),
-      m_energy(field.surface(), m_cut, m_seams, edge_length), m_newton(m_seams, m_energy)
+    : m_field(field), m_edge_length(lengths.uniform()), m_most_steps(most_steps),
+      m_monitor(monitor), m_cut(field), m_seams(field.surface(), m_cut),
+      m_energy(field.surface(), m_cut, m_seams, lengths), m_newton(m_seams, m_energy)
   {
   }
 
