@@ -11,6 +11,7 @@
 #include "invariants.h"
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_mesh.h>
@@ -19,7 +20,6 @@
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
-#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -45,6 +45,7 @@ struct Task
   Mesh mesh;
   Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
   std::vector<Eigen::Vector3d> directions; // a field of its own, or empty
+  QL::Layout_route route = QL::AUTOMATIC;
   double curvature_alignment = 0.07;
   double sharp_angle = 180; // of the features
   double deviation = 15;
@@ -236,12 +237,13 @@ inline bool run(Task& task, Results& r)
                       .target_edge_length(task.edge_length * diagonal(task.mesh))
                       .minimum_valence(task.minimum_valence)
                       .maximum_valence(task.maximum_valence)
+                      .layout_route(task.route)
                       .maximum_running_time(task.time_limit);
   r.field = field_of(
       task,
       np.edge_is_constrained_map(task.is_feature).curvature_alignment(task.curvature_alignment));
   check_field(r.field);
-  r.t_mesh = QL::trace_motorcycle_graph(r.field, np);
+  r.t_mesh = QL::compute_t_mesh(r.field, np);
   invariants::check_t_mesh(r.t_mesh);
   r.quantization = QL::quantize(r.t_mesh, np.maximum_running_time(task.seconds));
   if (r.quantization.status == QL::Quantization::INFEASIBLE)

@@ -274,6 +274,7 @@ inline Task random_task(unsigned seed)
     task.minimum_valence = dice.integer(2, 4);
     task.maximum_valence = dice.integer(4, 12);
   }
+  task.route = dice.happens(0.5) ? CGAL::Quad_layouts::FIELD : CGAL::Quad_layouts::PARAMETRIZATION;
   return task;
 }
 
@@ -284,7 +285,8 @@ inline std::string description(const Task& task)
          << (task.directions.empty() ? "smooth field" : "given field") << ", features from "
          << task.sharp_angle << " degrees, deviation " << task.deviation << ", displacement "
          << task.displacement << ", edge length " << task.edge_length << ", valence "
-         << task.minimum_valence << " to " << task.maximum_valence;
+         << task.minimum_valence << " to " << task.maximum_valence << ", by the "
+         << (task.route == CGAL::Quad_layouts::FIELD ? "field" : "parametrization");
   return result.str();
 }
 
