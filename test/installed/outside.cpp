@@ -34,9 +34,22 @@ bool solves_equations()
   matrix.insert(0, 0) = 2;
   matrix.insert(1, 0) = 1; // the lower triangle is enough
   matrix.insert(1, 1) = 2;
-  const QL::internal::Sparse_cholesky<double> solver(matrix);
-  const Eigen::VectorXd x = solver.solve(Eigen::Vector2d(4, 5));
+  const Eigen::VectorXd x = QL::internal::Sparse_cholesky<double>(matrix).solve(
+      Eigen::Vector2d(4, 5));
   return (x - Eigen::Vector2d(1, 2)).norm() < 1e-12;
+}
+
+// one that has a negative eigenvalue, as positive ones can get by rounding
+bool solves_indefinite_equations()
+{
+  Eigen::SparseMatrix<double> matrix(2, 2);
+  matrix.insert(0, 0) = 1;
+  matrix.insert(1, 1) = -1;
+  QL::internal::Sparse_cholesky<double> solver;
+  solver.setMode(Eigen::CholmodSupernodalLLt);
+  solver.compute(matrix);
+  const Eigen::VectorXd x = solver.solve(Eigen::Vector2d(1, 2));
+  return (x - Eigen::Vector2d(1, -2)).norm() < 1e-12;
 }
 #endif
 
@@ -51,7 +64,7 @@ int main()
     return 1;
 #endif
 #ifdef CGAL_USE_CHOLMOD
-  if (!solves_equations())
+  if (!solves_equations() || !solves_indefinite_equations())
     return 1;
 #endif
   const QL::Quad_layout layout;
