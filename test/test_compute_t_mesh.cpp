@@ -19,6 +19,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,20 @@ BOOST_AUTO_TEST_CASE(both_routes)
   BOOST_TEST(diary.reason == "");
   invariants::check_t_mesh(t);
   invariants::check_opposite_sides(t);
+}
+
+BOOST_AUTO_TEST_CASE(the_route_is_automatic)
+{
+  const QL::Cross_field field = QL::compute_cross_field(generated::icosphere(2));
+  BOOST_TEST(QL::compute_t_mesh(field).route == QL::PARAMETRIZATION);
+  const auto route_for = [](int nu, int nv) {
+    const Mesh mesh = generated::torus(nu, nv);
+    const auto surface = std::make_shared<const QL::Cross_field::Surface>(
+        QL::internal::make_triangle_surface(mesh, mesh.points()));
+    return QL::internal::automatic_route(QL::Cross_field(surface, {}, {}, {}));
+  };
+  BOOST_TEST(route_for(500, 100) == QL::PARAMETRIZATION);
+  BOOST_TEST(route_for(500, 101) == QL::FIELD);
 }
 
 // Around a vertex of index 3 there would be an angle of 90 degrees, at which one line starts;

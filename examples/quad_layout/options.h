@@ -31,7 +31,7 @@ struct Options
   std::string solution;                   // to read
   std::string solver = "glpk";            // or "cbc" or "highs"
   std::string field_method = "diffusion"; // or "mixed-integer"
-  std::string route = "field";            // or "parametrization"
+  std::string route = "automatic";        // or "field" or "parametrization"
   double alpha = 15;                      // degrees
   double displacement = 2;                // target edge lengths
   double edge_length = 0.01;              // of the diagonal of the bounding box
@@ -76,9 +76,11 @@ inline const char* usage()
          "  --parametrization FILE a seamless parametrization, given by the texture coordinates of "
          "an\n"
          "                         OBJ file of INPUT, to use in place of a field\n"
-         "  --route NAME           what layout lines follow: the field, or a seamless "
-         "parametrization\n"
-         "                         if one is found: field or parametrization (field)\n"
+         "  --route NAME           what layout lines follow: field, or parametrization, which is a "
+         "seamless\n"
+         "                         one of the field if one is found, or automatic, which is the "
+         "field for\n"
+         "                         more than 100,000 triangles (automatic)\n"
          "  --write-field FILE     where to write the field, as .rosy, .rawfield or .ffield\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"
          "  --repair               first make an oriented manifold of triangles of the input\n"
@@ -188,8 +190,9 @@ inline Options parse(int argc, char* argv[])
   if (result.field_method != "diffusion" && result.field_method != "mixed-integer")
     throw Usage_error("unknown field method " + result.field_method +
                       ": there are diffusion and mixed-integer");
-  if (result.route != "field" && result.route != "parametrization")
-    throw Usage_error("unknown route " + result.route + ": there are field and parametrization");
+  if (result.route != "field" && result.route != "parametrization" && result.route != "automatic")
+    throw Usage_error("unknown route " + result.route +
+                      ": there are field, parametrization and automatic");
   if (!result.field.empty() && !result.parametrization.empty())
     throw Usage_error("--field and --parametrization exclude each other");
   if (!(result.features >= 0) || result.features > 180)

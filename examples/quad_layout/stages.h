@@ -220,6 +220,13 @@ QL::Quantization quantize_by(const std::string& solver, const QL::T_mesh& t_mesh
   return QL::quantize<QL::GLPK_mixed_integer_program_traits<double>>(t_mesh, np);
 }
 
+inline QL::Layout_route route_of(const Options& options)
+{
+  if (options.route == "field")
+    return QL::FIELD;
+  return options.route == "parametrization" ? QL::PARAMETRIZATION : QL::AUTOMATIC;
+}
+
 // runs all stages on a mesh
 inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, Results& results)
 {
@@ -231,8 +238,7 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                       .target_edge_length(target)
                       .minimum_valence(options.min_valence)
                       .maximum_valence(options.max_valence)
-                      .layout_route(options.route == "parametrization" ? QL::PARAMETRIZATION
-                                                                       : QL::FIELD)
+                      .layout_route(route_of(options))
                       .visitor(std::ref(progress));
   const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
   const auto search = [&] {

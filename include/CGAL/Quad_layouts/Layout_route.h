@@ -16,8 +16,9 @@ namespace Quad_layouts {
 names the ways from a cross field to a T-mesh, see `compute_t_mesh()`.
 */
 enum Layout_route {
-  FIELD,          ///< traces run along the directions of the field
-  PARAMETRIZATION ///< traces are lines of constant coordinates of a seamless parametrization
+  FIELD,           ///< traces run along the directions of the field
+  PARAMETRIZATION, ///< traces are lines of constant coordinates of a seamless parametrization
+  AUTOMATIC        ///< `PARAMETRIZATION` for up to 100,000 triangles, `FIELD` for more
 };
 
 } // namespace Quad_layouts

@@ -110,7 +110,7 @@ public:
   /// \name The arrays
   /// @{
   std::shared_ptr<const Surface> surface_pointer;
-  Layout_route route = FIELD; ///< what the traces run in
+  Layout_route route = FIELD; ///< what the traces run in: `FIELD` or `PARAMETRIZATION`
   std::vector<double>
       arc_length; ///< on the surface; by the route `PARAMETRIZATION` in the map, and exact
   std::vector<int> arc_trace;

@@ -21,6 +21,13 @@ namespace Quad_layouts {
 
 namespace internal {
 
+// Layouts by a parametrization are simpler, but for large surfaces it takes minutes.
+inline Layout_route automatic_route(const Cross_field& field)
+{
+  constexpr int most_faces = 100000;
+  return field.surface().number_of_faces() <= most_faces ? PARAMETRIZATION : FIELD;
+}
+
 template <class NamedParameters>
 T_mesh t_mesh_of_parametrization(const Cross_field& field, const Time_budget& budget,
                                  const NamedParameters& np)
@@ -41,7 +48,8 @@ computes the T-mesh of a cross field, in the field itself or by way of a seamles
 By the route `FIELD` it runs `trace_motorcycle_graph()`. By the route `PARAMETRIZATION` it runs
 `parametrize_seamlessly()` first, and traces in the result, where lengths agree everywhere. If no
 locally injective parametrization is found, or not in half of the time, it tells the visitor, and
-goes on by the route `FIELD`. `T_mesh::route` says which one it was.
+goes on by the route `FIELD`. `T_mesh::route` says which one it was. Layouts by a parametrization have
+fewer patches; but it takes long for large surfaces, for which the route `AUTOMATIC` is `FIELD`.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -53,7 +61,7 @@ goes on by the route `FIELD`. `T_mesh::route` says which one it was.
   \cgalParamNBegin{layout_route}
     \cgalParamDescription{what traces run in}
     \cgalParamType{`Layout_route`}
-    \cgalParamDefault{`FIELD`}
+    \cgalParamDefault{`AUTOMATIC`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{when to give up, in seconds}
@@ -77,7 +85,9 @@ T_mesh compute_t_mesh(const Cross_field& field,
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const Layout_route route = choose_parameter(get_parameter(np, internal_np::layout_route), FIELD);
+  Layout_route route = choose_parameter(get_parameter(np, internal_np::layout_route), AUTOMATIC);
+  if (route == AUTOMATIC)
+    route = internal::automatic_route(field);
   const internal::Time_budget budget(internal::running_time_limit(np));
   const internal::Monitor visitor = internal::visitor_of(np);
   if (route == PARAMETRIZATION) {
