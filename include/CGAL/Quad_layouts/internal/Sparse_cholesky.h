@@ -26,10 +26,28 @@ template <class Number>
 class Sparse_cholesky : public Eigen::CholmodDecomposition<Eigen::SparseMatrix<Number>>
 {
 public:
+  using Matrix = Eigen::SparseMatrix<Number>;
+  using Base = Eigen::CholmodDecomposition<Matrix>;
+
   Sparse_cholesky() { this->cholmod().print = 0; } // who asks for `info()` tells what is wrong
-  explicit Sparse_cholesky(const Eigen::SparseMatrix<Number>& matrix) : Sparse_cholesky()
+  explicit Sparse_cholesky(const Matrix& matrix) : Sparse_cholesky() { compute(matrix); }
+
+  void compute(const Matrix& matrix)
   {
-    this->compute(matrix);
+    this->analyzePattern(matrix);
+    factorize(matrix);
+  }
+
+  // Matrices that are positive definite up to rounding only have no factors L L', which CHOLMOD
+  // takes for large ones, but L D L'.
+  void factorize(const Matrix& matrix)
+  {
+    Base::factorize(matrix);
+    if (this->info() == Eigen::Success)
+      return;
+    this->setMode(Eigen::CholmodLDLt);
+    this->analyzePattern(matrix);
+    Base::factorize(matrix);
   }
 };
 #else
