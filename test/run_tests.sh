@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 source scripts/debian_setup.sh
 
 # shellcheck disable=SC2086 # a list of words
-require_packages $build_packages coinor-libcbc-dev libboost-test-dev libopenmesh-dev doxygen \
+require_packages $build_packages coinor-libcbc-dev libboost-test-dev libopenmesh-dev libsuitesparse-dev doxygen \
                  $(available_packages libhighs-dev) # not in Debian 12
 
 build=${1:-build}

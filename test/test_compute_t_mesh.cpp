@@ -71,6 +71,9 @@ BOOST_AUTO_TEST_CASE(the_route_is_automatic)
   };
   BOOST_TEST(route_for(500, 100) == QL::PARAMETRIZATION);
   BOOST_TEST(route_for(500, 101) == QL::FIELD);
+  const QL::Cross_field noise = generated::random_field(generated::icosphere(4), 1);
+  BOOST_TEST(noise.number_of_singularities() > 300);
+  BOOST_TEST((QL::internal::automatic_route(noise) == QL::FIELD));
 }
 
 // Around a vertex of index 3 there would be an angle of 90 degrees, at which one line starts;

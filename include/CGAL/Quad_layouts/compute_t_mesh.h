@@ -21,11 +21,14 @@ namespace Quad_layouts {
 
 namespace internal {
 
-// Layouts by a parametrization are simpler, but for large surfaces it takes minutes.
+// Layouts by a parametrization are simpler, but it takes minutes if its matrix is large, or dense
+// because of many cones.
 inline Layout_route automatic_route(const Cross_field& field)
 {
-  constexpr int most_faces = 100000;
-  return field.surface().number_of_faces() <= most_faces ? PARAMETRIZATION : FIELD;
+  constexpr int most_faces = 100000, most_singularities = 300;
+  const bool is_fast = field.surface().number_of_faces() <= most_faces &&
+                       field.number_of_singularities() <= most_singularities;
+  return is_fast ? PARAMETRIZATION : FIELD;
 }
 
 template <class NamedParameters>
@@ -49,7 +52,8 @@ By the route `FIELD` it runs `trace_motorcycle_graph()`. By the route `PARAMETRI
 `parametrize_seamlessly()` first, and traces in the result, where lengths agree everywhere. If no
 locally injective parametrization is found, or not in half of the time, it tells the visitor, and
 goes on by the route `FIELD`. `T_mesh::route` says which one it was. Layouts by a parametrization have
-fewer patches; but it takes long for large surfaces, for which the route `AUTOMATIC` is `FIELD`.
+fewer patches; but it takes long for large surfaces and many singularities, for which the route
+`AUTOMATIC` is `FIELD`.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
