@@ -49,20 +49,32 @@ inline double penalty_of_sine(double s)
   return 1 / (positive * positive);
 }
 
+// the sum of the penalties of the sines of a quad's angles, measured about a unit vector
+inline double angle_energy(const Quad& q, const Eigen::Vector3d& axis)
+{
+  std::array<Eigen::Vector3d, 4> side;
+  for (int k = 0; k < 4; ++k)
+    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
+  double energy = 0;
+  for (int k = 0; k < 4; ++k)
+    energy += penalty_of_sine(side[(k + 3) & 3].cross(side[k]).dot(axis));
+  return energy;
+}
+
 // An energy of a quad that is least if it is a rectangle of any aspect whose normal is that of the
 // surface.
 inline double shape_energy(const Quad& q, const Eigen::Vector3d& surface_normal)
 {
   const Eigen::Vector3d own = area_vector(q).normalized();
   const double cosine = own.dot(surface_normal);
-  const Eigen::Vector3d& axis = cosine > 0 ? own : surface_normal;
-  std::array<Eigen::Vector3d, 4> side;
-  for (int k = 0; k < 4; ++k)
-    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
-  double energy = penalty_of_sine(cosine);
-  for (int k = 0; k < 4; ++k)
-    energy += penalty_of_sine(side[(k + 3) & 3].cross(side[k]).dot(axis));
-  return energy;
+  return penalty_of_sine(cosine) + angle_energy(q, cosine > 0 ? own : surface_normal);
+}
+
+// what this energy is at least, whatever the normal of the surface
+inline double least_shape_energy(const Quad& q)
+{
+  return (std::min)(penalty_of_sine(1) + angle_energy(q, area_vector(q).normalized()),
+                    penalty_of_sine(0) + 4 * penalty_of_sine(1));
 }
 
 // The quads around a vertex as functions of its position x: all that smoothing one vertex looks at.
