@@ -224,8 +224,7 @@ private:
     const Vector normal = m_quads.normal(v), t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
     const auto fraction = [&] { return double(random()) / double(std::minstd_rand::max()) - 0.5; };
     const double x = fraction(), y = fraction(), length = m_quads.edge_length(v);
-    const Surface_walk::Place start = m_quads.place(v);
-    m_quads.move(v, m_quads.walk().slide(start, start.point + length * (x * t1 + y * t2)));
+    m_quads.slide(v, m_quads.place(v).point + length * (x * t1 + y * t2));
   }
 
   void relax_freely(const std::vector<int>& region, int sweeps)
@@ -258,7 +257,9 @@ private:
       const double angle = k * std::acos(-1.) / 4;
       const Vector along = std::cos(angle) * t1 + std::sin(angle) * t2;
       const Vector step = k < 8 ? along : Vector((along + inwards) * std::sqrt(0.5));
-      const auto place = m_quads.walk().slide(start, start.point + fraction * length * step);
+      const auto place = m_quads.reached(v, start.point + fraction * length * step);
+      if (!m_quads.keeps_order(v, place))
+        continue;
       const double e = energy(v, place.point, spring, least);
       if (e < least) {
         least = e;

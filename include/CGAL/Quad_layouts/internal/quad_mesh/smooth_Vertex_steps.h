@@ -85,12 +85,13 @@ private:
   template <class Permits>
   void follow_curve(int v, const Permits& permits)
   {
+    const Curve_vertices& curves = m_quads.curve_vertices();
     Surface_walk::Place best = m_quads.place(v);
-    double least = m_quads.deviation_from_curve(v, best);
-    if (least <= m_quads.permitted_deviation())
+    double least = curves.deviation(v, best);
+    if (least <= curves.tolerance())
       return;
-    m_quads.for_each_place_beside(v, [&](const Surface_walk::Place& place) {
-      const double deviation = m_quads.deviation_from_curve(v, place);
+    curves.for_each_place_beside(v, [&](const Surface_walk::Place& place) {
+      const double deviation = curves.deviation(v, place);
       if (deviation < least && permits(place.point)) {
         least = deviation;
         best = place;
@@ -103,15 +104,15 @@ private:
   template <class Accepts>
   void try_move(int v, const Vector& step, const Accepts& accepts)
   {
+    const Curve_vertices& curves = m_quads.curve_vertices();
     const bool on_curve = m_quads.is_on_curve(v);
-    const double most = on_curve ? (std::max)(m_quads.deviation_from_curve(v, m_quads.place(v)),
-                                              m_quads.permitted_deviation())
-                                 : 0;
+    const double most = on_curve
+                            ? (std::max)(curves.deviation(v, m_quads.place(v)), curves.tolerance())
+                            : 0;
     for (const double fraction : {1., 0.5, 0.25, 0.0625}) {
-      const auto place = m_quads.walk().slide(m_quads.place(v),
-                                              m_star.position() + fraction * step);
-      if (m_star.permits(place.point) && accepts(place.point) &&
-          (!on_curve || m_quads.deviation_from_curve(v, place) <= most))
+      const auto place = m_quads.reached(v, m_star.position() + fraction * step);
+      if (m_quads.keeps_order(v, place) && m_star.permits(place.point) && accepts(place.point) &&
+          (!on_curve || curves.deviation(v, place) <= most))
         return m_quads.move(v, place);
     }
   }
