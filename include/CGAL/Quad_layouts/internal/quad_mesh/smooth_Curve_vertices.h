@@ -58,6 +58,16 @@ public:
   // the deviation that is small enough
   double tolerance() const { return m_tolerance; }
 
+  // Says if v may slide to a place: between its neighbours, and such that the deviation of the curve
+  // beside v is small enough, or at least no greater than it is now.
+  bool permits(int v, const Place& now, const Place& next) const
+  {
+    if (!is_between_neighbours(v, next))
+      return false;
+    const double after = deviation(v, next);
+    return after <= m_tolerance || after <= deviation(v, now);
+  }
+
   // the deviation of the curve beside v if this were at a place
   double deviation(int v, const Place& place) const
   {
@@ -65,8 +75,8 @@ public:
     const Position at = position(place), before{at.curve, distance(v, slider.before)};
     double result = 0;
     const auto compare = [&](const Position& begin, double end, const Point& p, const Point& q) {
-      for_each_place_between(begin, end, [&](const Place& bend) {
-        result = (std::max)(result, distance_to_segment(bend.point, p, q));
+      for_each_vertex_between(begin, end, [&](int bend, double) {
+        result = (std::max)(result, distance_to_segment(m_surface.point(bend), p, q));
       });
     };
     compare(before, at.distance, m_mesh.points[slider.before.vertex], place.point);
@@ -74,20 +84,40 @@ public:
     return result;
   }
 
-  // says if a place is between the neighbours of v
-  bool is_between_neighbours(int v, const Place& place) const
+  // Vertices one after the other along a curve, all of which slide but for the first and the last;
+  // on a closed curve where all slide, these are the same one.
+  struct Chain
   {
-    const Position before{m_sliders[v].position.curve, distance(v, m_sliders[v].before)};
-    const double there = way(before, position(place).distance);
-    return 0 < there && there < way(before, distance(v, m_sliders[v].after));
+    int curve;
+    std::vector<int> vertices;
+    std::vector<double> distances; // beyond the end a closed curve begins anew
+  };
+
+  std::vector<Chain> chains() const
+  {
+    std::vector<Chain> result;
+    std::vector<char> is_known(m_sliders.size(), 0);
+    for (int v = 0; v < int(m_sliders.size()); ++v)
+      if (m_sliders[v].position.curve >= 0 && !is_known[v]) {
+        result.push_back(chain_of(v));
+        for (const int u : result.back().vertices)
+          is_known[u] = 1;
+      }
+    return result;
   }
 
-  // calls visit(place) for the vertices of the surface between the neighbours of v
-  template <class Visit>
-  void for_each_place_beside(int v, const Visit& visit) const
+  // the place at a distance along a curve
+  Place place(int curve, double distance) const
   {
-    const Position before{m_sliders[v].position.curve, distance(v, m_sliders[v].before)};
-    for_each_place_between(before, distance(v, m_sliders[v].after), visit);
+    const Fixed_curves::Location found = m_curves.location(curve, distance);
+    return {found.point, m_surface.face(found.halfedge), found.halfedge};
+  }
+
+  // the vertices of the surface between the ends of a chain, calls visit(vertex, distance)
+  template <class Visit>
+  void for_each_bend(const Chain& chain, const Visit& visit) const
+  {
+    for_each_vertex_between({chain.curve, chain.distances.front()}, chain.distances.back(), visit);
   }
 
   // moves v to another place on its curve
@@ -111,11 +141,51 @@ private:
     return m_curves.position(place.fixed_halfedge, place.point);
   }
 
+  // says if a place is between the neighbours of v
+  bool is_between_neighbours(int v, const Place& place) const
+  {
+    const Position before{m_sliders[v].position.curve, distance(v, m_sliders[v].before)};
+    const double there = way(before, position(place).distance);
+    return 0 < there && there < way(before, distance(v, m_sliders[v].after));
+  }
+
+  // says if a neighbour of v slides, too, on the same curve
+  bool slides_with(int v, const Neighbour& neighbour) const
+  {
+    return m_sliders[neighbour.vertex].position.curve == m_sliders[v].position.curve;
+  }
+
+  // the chain of a vertex that slides; on a closed curve where all do, it begins there
+  Chain chain_of(int v) const
+  {
+    int first = v;
+    while (slides_with(first, m_sliders[first].before) && m_sliders[first].before.vertex != v)
+      first = m_sliders[first].before.vertex;
+    const bool is_closed = slides_with(first, m_sliders[first].before);
+    if (is_closed)
+      first = m_sliders[v].after.vertex;
+    const Slider& begin = m_sliders[first];
+    Chain result{begin.position.curve, {begin.before.vertex}, {distance(first, begin.before)}};
+    const auto append = [&](int u, double distance) {
+      const Position last{result.curve, result.distances.back()};
+      result.vertices.push_back(u);
+      result.distances.push_back(last.distance + way(last, distance));
+    };
+    for (int u = first;; u = m_sliders[u].after.vertex) {
+      append(u, m_sliders[u].position.distance);
+      if (is_closed ? u == v : !slides_with(u, m_sliders[u].after)) {
+        if (!is_closed)
+          append(m_sliders[u].after.vertex, distance(u, m_sliders[u].after));
+        return result;
+      }
+    }
+  }
+
   // the distance along the curve of v of one of its neighbours
   double distance(int v, const Neighbour& neighbour) const
   {
-    const Position& there = m_sliders[neighbour.vertex].position;
-    return there.curve == m_sliders[v].position.curve ? there.distance : neighbour.distance;
+    return slides_with(v, neighbour) ? m_sliders[neighbour.vertex].position.distance
+                                     : neighbour.distance;
   }
 
   // The same for the neighbour u on one side, w on the other. If other curves meet that of v at u,
@@ -151,13 +221,12 @@ private:
                                                          : length;
   }
 
+  // calls visit(vertex, distance) for the vertices of the surface on a part of a curve
   template <class Visit>
-  void for_each_place_between(const Position& begin, double end, const Visit& visit) const
+  void for_each_vertex_between(const Position& begin, double end, const Visit& visit) const
   {
     m_curves.for_each_vertex_between(begin.curve, begin.distance, begin.distance + way(begin, end),
-                                     [&](int v, int h, double) {
-                                       visit(Place{m_surface.point(v), m_surface.face(h), h});
-                                     });
+                                     visit);
   }
 
   const Polygons& m_mesh;

@@ -258,7 +258,7 @@ private:
       const Vector along = std::cos(angle) * t1 + std::sin(angle) * t2;
       const Vector step = k < 8 ? along : Vector((along + inwards) * std::sqrt(0.5));
       const auto place = m_quads.reached(v, start.point + fraction * length * step);
-      if (!m_quads.keeps_order(v, place))
+      if (!m_quads.is_permitted(v, place))
         continue;
       const double e = energy(v, place.point, spring, least);
       if (e < least) {

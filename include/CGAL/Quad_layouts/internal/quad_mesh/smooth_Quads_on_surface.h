@@ -94,11 +94,11 @@ public:
   }
   Quad quad(int f) const { return quad_of(m_mesh, f); }
 
-  // Says if a movable vertex may move to a place that it slides to: on its curve it stays between
-  // its neighbours.
-  bool keeps_order(int v, const Place& place) const
+  // says if the curve on which a movable vertex is, if there is one, permits it to move to a place
+  // that it slides to
+  bool is_permitted(int v, const Place& place) const
   {
-    return !is_on_curve(v) || m_curve_vertices.is_between_neighbours(v, place);
+    return !is_on_curve(v) || m_curve_vertices.permits(v, m_places[v], place);
   }
 
   void move(int v, const Place& place)
@@ -115,7 +115,7 @@ public:
   // moves v there, if it may
   void slide(int v, const Vector& target)
   {
-    if (const Place place = reached(v, target); keeps_order(v, place))
+    if (const Place place = reached(v, target); is_permitted(v, place))
       move(v, place);
   }
 
