@@ -216,8 +216,8 @@ BOOST_AUTO_TEST_CASE(border_vertices_slide_along_the_border)
   }
 }
 
-// All bends of the border are at one end, where few of the evenly spread vertices are; there are just
-// enough of them, which have to come from far away.
+// All bends of the border are at one end, where few of the evenly spread vertices are; there are
+// just enough of them, which have to come from far away.
 BOOST_AUTO_TEST_CASE(edges_follow_the_bends_of_a_border)
 {
   const std::vector<double> x = {0, 0.5, 1, 1.5, 2, 8}, y = {0, 0.3, 0, 0.3, 0, 0};

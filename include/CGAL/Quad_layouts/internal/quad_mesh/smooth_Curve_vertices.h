@@ -58,8 +58,8 @@ public:
   // the deviation that is small enough
   double tolerance() const { return m_tolerance; }
 
-  // Says if v may slide to a place: between its neighbours, and such that the deviation of the curve
-  // beside v is small enough, or at least no greater than it is now.
+  // Says if v may slide to a place: between its neighbours, and such that the deviation beside v is
+  // small enough, or at least no greater than it is now.
   bool permits(int v, const Place& now, const Place& next) const
   {
     if (!is_between_neighbours(v, next))
