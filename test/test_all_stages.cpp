@@ -15,6 +15,8 @@
 #include "generated_fields.h"
 #include "random_tasks.h"
 
+#include <CGAL/Quad_layouts/internal/tracing/repair_labels.h>
+
 #include <CGAL/Real_timer.h>
 
 #include <boost/test/results_collector.hpp>
@@ -30,6 +32,7 @@ namespace QL = CGAL::Quad_layouts;
 using all_stages::Results;
 using all_stages::Task;
 using generated::Mesh;
+using invariants::violations;
 
 namespace {
 
@@ -166,6 +169,22 @@ BOOST_AUTO_TEST_CASE(no_vertex_of_valence_1)
   Task task = random_tasks::random_task(5023);
   task.route = QL::FIELD;
   BOOST_TEST(outcome(task) == "no valid quantization");
+}
+
+// In the first field more than one label of a face is wrong; the second one is on a tetrahedron
+// whose vertices all need other valences.
+BOOST_AUTO_TEST_CASE(labels_of_random_fields)
+{
+  for (const unsigned seed : {5003, 5056}) {
+    Task task = random_tasks::random_task(seed);
+    const QL::Cross_field field = all_stages::field_of(
+        task, QL::parameters::edge_is_constrained_map(task.is_feature));
+    const QL::internal::Labels labels = QL::internal::make_labels(field);
+    BOOST_TEST(violations(field.surface().number_of_faces(),
+                          [&](int f) { return labels.is_valid(f); }) == 0);
+    BOOST_TEST(violations(field.surface().number_of_vertices(),
+                          [&](int v) { return labels.valence(v) >= 2; }) == 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(random_inputs)

@@ -270,7 +270,10 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range)
 // A quarter of a circle takes few segments, a straight line one, a corner two.
 BOOST_AUTO_TEST_CASE(segments_of_curves)
 {
-  using QL::internal::number_of_segments;
+  const auto number_of_segments = [](const std::vector<Eigen::Vector3d>& polyline,
+                                     double tolerance) {
+    return QL::internal::knots_of(polyline, tolerance).size() - 1;
+  };
   std::vector<QL::internal::Point> circle;
   for (int i = 0; i <= 90; ++i)
     circle.emplace_back(std::cos(i * CGAL_PI / 180), std::sin(i * CGAL_PI / 180), 0);

@@ -13,9 +13,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_smooth_quad_mesh)
 
@@ -72,6 +74,19 @@ double squared_distance(const Mesh& a, const Mesh& b)
   for (const auto v : vertices(a))
     result += CGAL::squared_distance(a.point(v), b.point(v));
   return result;
+}
+
+// a strip of `columns` polygons: quads, or pairs of triangles, between points of two lines
+Mesh strip(const std::vector<Point>& bottom, const std::vector<Point>& top, bool of_triangles)
+{
+  std::vector<Point> points = bottom;
+  points.insert(points.end(), top.begin(), top.end());
+  std::vector<std::vector<int>> polygons;
+  const int n = int(bottom.size());
+  for (int i = 0; i + 1 < n; ++i)
+    polygons.push_back({i, i + 1, n + i + 1, n + i});
+  const Mesh result = generated::mesh_of_polygons(points, polygons);
+  return of_triangles ? generated::triangulated(result) : result;
 }
 
 } // namespace
@@ -199,6 +214,55 @@ BOOST_AUTO_TEST_CASE(border_vertices_slide_along_the_border)
     BOOST_TEST(quads.point(vertex[i]).y() == 0);
     BOOST_TEST(quads.point(vertex[i * (n + 1) + n]).x() == 1);
   }
+}
+
+// All bends of the border are at one end, where few of the evenly spread vertices are; there are
+// just enough of them, which have to come from far away.
+BOOST_AUTO_TEST_CASE(edges_follow_the_bends_of_a_border)
+{
+  const std::vector<double> x = {0, 0.5, 1, 1.5, 2, 8}, y = {0, 0.3, 0, 0.3, 0, 0};
+  std::vector<Point> bottom, top, quad_bottom, quad_top;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    bottom.emplace_back(x[i], y[i], 0);
+    top.emplace_back(x[i], 2, 0);
+    const double even = 8. * double(i) / double(x.size() - 1);
+    quad_bottom.emplace_back(even, even == 1.6 ? 0.24 : 0, 0);
+    quad_top.emplace_back(even, 2, 0);
+  }
+  Mesh quads = strip(quad_bottom, quad_top, false);
+  QL::smooth_quad_mesh(quads, strip(bottom, top, true));
+  for (const Point& p : bottom) {
+    double least = 8;
+    for (const auto e : edges(quads))
+      least = (std::min)(least,
+                         std::sqrt(CGAL::squared_distance(
+                             p, generated::Kernel::Segment_3(quads.point(quads.vertex(e, 0)),
+                                                             quads.point(quads.vertex(e, 1))))));
+    BOOST_TEST(least < 1e-3 * std::sqrt(68.));
+  }
+}
+
+// A vertex on a curve may go nearly to its neighbours, but neither to them nor beyond.
+BOOST_AUTO_TEST_CASE(vertices_keep_their_order_along_curves)
+{
+  using namespace QL::internal;
+  std::vector<Point> bottom, top;
+  for (int i = 0; i < 5; ++i) {
+    bottom.emplace_back(i, 0, 0);
+    top.emplace_back(i, 1, 0);
+  }
+  const Mesh surface = strip(bottom, top, true), quads = strip(bottom, top, false);
+  const Triangle_surface triangles = make_triangle_surface(surface, surface.points());
+  const Surface_walk walk(triangles);
+  Polygons mesh = make_polygons(quads, quads.points());
+  const Quads_on_surface on_surface(mesh, walk);
+  const auto may_go = [&](double x) {
+    return on_surface.is_permitted(2, on_surface.reached(2, {x, 0, 0}));
+  };
+  BOOST_TEST(may_go(1.01));
+  BOOST_TEST(may_go(2.99));
+  for (const double x : {-0.1, 0.5, 1., 3., 3.5, 4.1})
+    BOOST_TEST(!may_go(x));
 }
 
 BOOST_AUTO_TEST_CASE(same_result_again_and_on_other_meshes)

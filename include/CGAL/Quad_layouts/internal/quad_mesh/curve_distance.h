@@ -10,6 +10,8 @@
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -28,6 +30,24 @@ inline double distance_to_segment(const Point& x, const Point& p, const Point& q
   const double length = side.squaredNorm(), along = side.dot(x - p);
   const double fraction = length > 0 ? std::clamp(along / length, 0., 1.) : 0;
   return (p + fraction * side - x).norm();
+}
+
+// Returns the indices of those vertices of a polyline between which it is nowhere farther than
+// `tolerance` from the straight line: the first, the last, and as few others as going as far as
+// possible again and again leads to.
+inline std::vector<std::size_t> knots_of(const std::vector<Point>& polyline, double tolerance)
+{
+  const auto is_near = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first + 1; i < last; ++i)
+      if (distance_to_segment(polyline[i], polyline[first], polyline[last]) > tolerance)
+        return false;
+    return true;
+  };
+  std::vector<std::size_t> result = {0};
+  for (std::size_t last; result.back() + 1 < polyline.size(); result.push_back(last))
+    for (last = result.back() + 1; last + 1 < polyline.size() && is_near(result.back(), last + 1);)
+      ++last;
+  return result;
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quad_untangler.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quads_on_surface.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Vertex_steps.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_follow_curves.h>
 
 #include <Eigen/Core>
 
@@ -43,15 +44,11 @@ public:
   void run(int number_of_iterations, const Monitor& monitor)
   {
     const int n = number_of_iterations;
-    follow_curves();
+    follow_curves(m_quads);
     Quad_untangler(m_quads, monitor).unfold();
     for (int i = 0; i < 2 * n && monitor.has_time("smooth_quad_mesh"); ++i) {
       monitor.tell("smooth_quad_mesh", double(i) / (4 * n));
-      sweep_unsettled([this](int v) {
-        m_steps.relax(v);
-        if (m_quads.is_on_curve(v))
-          m_steps.follow_curve(v);
-      });
+      sweep_unsettled([this](int v) { m_steps.relax(v); });
     }
     for (int i = 0; i < n && monitor.has_time("smooth_quad_mesh"); ++i) {
       monitor.tell("smooth_quad_mesh", 0.5 + double(i) / (2 * n));
@@ -62,16 +59,6 @@ public:
   }
 
 private:
-  // puts vertices on curves to where their edges do not cut off much of these
-  void follow_curves()
-  {
-    constexpr int rounds = 5;
-    for (int i = 0; i < rounds; ++i)
-      for (const int v : m_quads.movable())
-        if (m_quads.is_on_curve(v))
-          m_steps.follow_curve_freely(v);
-  }
-
   // sweeps forwards or backwards in turn over the vertices around which something has moved lately
   template <class Step>
   void sweep_unsettled(const Step& step)

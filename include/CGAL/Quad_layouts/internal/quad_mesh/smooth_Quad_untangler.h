@@ -103,17 +103,19 @@ private:
     }
   };
 
-  // the normal of the triangle nearest to the centre of a quad
-  Vector surface_normal(const Quad& quad) const
+  // the normal of the triangle nearest to the centre of a quad, one of whose corners is v
+  Vector surface_normal(const Quad& quad, int v) const
   {
-    return m_quads.walk().nearest_normal(centre(quad), area_vector(quad));
+    return m_quads.walk().nearest_normal(centre(quad), area_vector(quad), m_quads.place(v).face);
   }
 
   // the scaled Jacobian, or minus one if the quad opposes the surface
   double score(int f) const
   {
     const Quad quad = m_quads.quad(f);
-    return area_vector(quad).dot(surface_normal(quad)) < 0 ? -1 : scaled_jacobian(quad);
+    return area_vector(quad).dot(surface_normal(quad, m_quads.mesh().corner(f, 0))) < 0
+               ? -1
+               : scaled_jacobian(quad);
   }
 
   Badness badness(const std::vector<int>& quads, double threshold) const
@@ -223,8 +225,7 @@ private:
     const Vector normal = m_quads.normal(v), t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
     const auto fraction = [&] { return double(random()) / double(std::minstd_rand::max()) - 0.5; };
     const double x = fraction(), y = fraction(), length = m_quads.edge_length(v);
-    const Surface_walk::Place start = m_quads.place(v);
-    m_quads.move(v, m_quads.walk().slide(start, start.point + length * (x * t1 + y * t2)));
+    m_quads.slide(v, m_quads.place(v).point + length * (x * t1 + y * t2));
   }
 
   void relax_freely(const std::vector<int>& region, int sweeps)
@@ -257,7 +258,9 @@ private:
       const double angle = k * CGAL_PI / 4;
       const Vector along = std::cos(angle) * t1 + std::sin(angle) * t2;
       const Vector step = k < 8 ? along : Vector((along + inwards) * std::sqrt(0.5));
-      const auto place = m_quads.walk().slide(start, start.point + fraction * length * step);
+      const auto place = m_quads.reached(v, start.point + fraction * length * step);
+      if (!m_quads.is_permitted(v, place))
+        continue;
       const double e = energy(v, place.point, spring, least);
       if (e < least) {
         least = e;
@@ -268,24 +271,37 @@ private:
       m_quads.move(v, best);
   }
 
-  // the energy of the quads around v if v were at x; something above `limit` if it exceeds that
-  double energy(int v, const Vector& x, double spring, double limit) const
+  // The energy of the quads around v if v were at x; something above `limit` if it exceeds that.
+  // Quads count with the least that their energy can be until the nearest triangles, which take
+  // time to find, must be known.
+  double energy(int v, const Vector& x, double spring, double limit)
   {
     const Polygons& mesh = m_quads.mesh();
+    m_candidates.clear();
     double sum = 0;
-    for (const int h : m_quads.corners(v))
-      sum += spring * (mesh.points[mesh.target(h)] - x).squaredNorm();
     for (const int h : m_quads.corners(v)) {
-      if (sum > limit)
-        break;
       const int g = mesh.next(h);
       const Quad quad = {x, mesh.points[mesh.source[g]], mesh.points[mesh.target(g)],
                          mesh.points[mesh.source[mesh.prev(h)]]};
-      sum += shape_energy(quad, surface_normal(quad));
+      m_candidates.push_back({quad, least_shape_energy(quad)});
+      sum += spring * (quad[1] - x).squaredNorm() + m_candidates.back().least_energy;
+    }
+    for (const Candidate& c : m_candidates) {
+      if (sum > limit)
+        break;
+      sum += shape_energy(c.quad, surface_normal(c.quad, v)) - c.least_energy;
     }
     return sum;
   }
 
+  // a quad at a vertex that might move
+  struct Candidate
+  {
+    Quad quad;
+    double least_energy;
+  };
+
+  std::vector<Candidate> m_candidates; // of the latest `energy`
   Quads_on_surface& m_quads;
   Vertex_steps m_steps;
   const Monitor& m_monitor;

@@ -9,7 +9,7 @@
 
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_polygons.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
-#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Curve_deviation.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Curve_vertices.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Surface_walk.h>
 
@@ -34,8 +34,9 @@ public:
   // Takes a mesh of quads and puts its vertices on the surface, except those on fixed curves where
   // these do not go straight on.
   Quads_on_surface(Polygons& mesh, const Surface_walk& walk)
-    : m_mesh(mesh), m_walk(walk), m_deviation(walk.surface()), m_corners(mesh.number_of_vertices()),
-      m_normals(mesh.number_of_vertices()), m_on_curve(mesh.number_of_vertices())
+    : m_mesh(mesh), m_walk(walk), m_curve_vertices(mesh, walk.surface()),
+      m_corners(mesh.number_of_vertices()), m_normals(mesh.number_of_vertices()),
+      m_on_curve(mesh.number_of_vertices())
   {
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
       m_corners[mesh.source[h]].push_back(h);
@@ -45,11 +46,15 @@ public:
         m_on_curve[mesh.source[h]].push_back(mesh.target(h));
     }
     place_vertices();
+    std::vector<int> sliding;
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
       if (!m_corners[v].empty() && (!is_on_curve(v) || slides_on_curve(v))) {
         m_movable.push_back(v);
         m_mesh.points[v] = m_places[v].point;
+        if (is_on_curve(v))
+          sliding.push_back(v);
       }
+    m_curve_vertices.add(sliding, m_places, m_on_curve);
   }
 
   const Polygons& mesh() const { return m_mesh; }
@@ -63,23 +68,8 @@ public:
       sum += m_mesh.points[u];
     return sum / double(m_on_curve[v].size());
   }
-  // how far the curve through a movable vertex would be from the edges beside it at a place
-  double deviation_from_curve(int v, const Place& place) const
-  {
-    double result = 0;
-    for (const int u : m_on_curve[v])
-      result = (std::max)(result, m_deviation.of_edge(place, m_places[u]));
-    return result;
-  }
-  double permitted_deviation() const { return m_deviation.tolerance(); }
-  // calls visit(place) for the vertices of the surface on the curve from a movable vertex to both
-  // its neighbours
-  template <class Visit>
-  void for_each_place_beside(int v, const Visit& visit) const
-  {
-    for (const int u : m_on_curve[v])
-      m_deviation.for_each_place_between(m_places[v], m_places[u], visit);
-  }
+  // the movable vertices on curves, what they may do there, and how far their edges are from it
+  const Curve_vertices& curve_vertices() const { return m_curve_vertices; }
   // the vertices that may move, ascending
   const std::vector<int>& movable() const { return m_movable; }
   // the halfedges from a vertex
@@ -104,15 +94,30 @@ public:
   }
   Quad quad(int f) const { return quad_of(m_mesh, f); }
 
+  // says if the curve on which a movable vertex is, if there is one, permits it to move to a place
+  // that it slides to
+  bool is_permitted(int v, const Place& place) const
+  {
+    return !is_on_curve(v) || m_curve_vertices.permits(v, m_places[v], place);
+  }
+
   void move(int v, const Place& place)
   {
     m_places[v] = place;
+    if (is_on_curve(v))
+      m_curve_vertices.move(v, place);
     m_mesh.points[v] = place.point;
     m_normals[v] = m_walk.normal(place);
   }
 
-  // moves v to where it gets from its place by following `target`
-  void slide(int v, const Vector& target) { move(v, m_walk.slide(m_places[v], target)); }
+  // the place that v gets to from its own by following `target`
+  Place reached(int v, const Vector& target) const { return m_walk.slide(m_places[v], target); }
+  // moves v there, if it may
+  void slide(int v, const Vector& target)
+  {
+    if (const Place place = reached(v, target); is_permitted(v, place))
+      move(v, place);
+  }
 
   void gather_star(int v, Star& star) const
   {
@@ -197,7 +202,7 @@ private:
 
   Polygons& m_mesh;
   const Surface_walk& m_walk;
-  const Curve_deviation m_deviation;
+  Curve_vertices m_curve_vertices;
   std::vector<std::vector<int>> m_corners;
   std::vector<int> m_movable;
   std::vector<Place> m_places;

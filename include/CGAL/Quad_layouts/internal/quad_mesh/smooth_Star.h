@@ -49,20 +49,32 @@ inline double penalty_of_sine(double s)
   return 1 / (positive * positive);
 }
 
+// the sum of the penalties of the sines of a quad's angles, measured about a unit vector
+inline double angle_energy(const Quad& q, const Eigen::Vector3d& axis)
+{
+  std::array<Eigen::Vector3d, 4> side;
+  for (int k = 0; k < 4; ++k)
+    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
+  double energy = 0;
+  for (int k = 0; k < 4; ++k)
+    energy += penalty_of_sine(side[(k + 3) & 3].cross(side[k]).dot(axis));
+  return energy;
+}
+
 // An energy of a quad that is least if it is a rectangle of any aspect whose normal is that of the
 // surface.
 inline double shape_energy(const Quad& q, const Eigen::Vector3d& surface_normal)
 {
   const Eigen::Vector3d own = area_vector(q).normalized();
   const double cosine = own.dot(surface_normal);
-  const Eigen::Vector3d& axis = cosine > 0 ? own : surface_normal;
-  std::array<Eigen::Vector3d, 4> side;
-  for (int k = 0; k < 4; ++k)
-    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
-  double energy = penalty_of_sine(cosine);
-  for (int k = 0; k < 4; ++k)
-    energy += penalty_of_sine(side[(k + 3) & 3].cross(side[k]).dot(axis));
-  return energy;
+  return penalty_of_sine(cosine) + angle_energy(q, cosine > 0 ? own : surface_normal);
+}
+
+// what this energy is at least, whatever the normal of the surface
+inline double least_shape_energy(const Quad& q)
+{
+  return (std::min)(penalty_of_sine(1) + angle_energy(q, area_vector(q).normalized()),
+                    penalty_of_sine(0) + 4 * penalty_of_sine(1));
 }
 
 // The quads around a vertex as functions of its position x: all that smoothing one vertex looks at.
@@ -77,6 +89,7 @@ public:
   {
     m_sectors.clear();
     m_edges.clear();
+    m_least_quality = 1;
   }
 
   // adds a quad whose corner 0 is the vertex; its side from corner 0 to corner 1 is an edge of the
@@ -85,6 +98,7 @@ public:
   {
     const auto& n = q.normals;
     m_sectors.emplace_back(q, (n[0] + n[1] + n[2] + n[3]).normalized(), 1.);
+    m_least_quality = (std::min)(m_least_quality, m_sectors.back().quality);
   }
 
   // adds an edge that is the first side of no quad, because it is on the border
@@ -140,14 +154,15 @@ public:
     return sum / number_of_edges();
   }
 
-  // says if each quad stays as good as it is, or at least sufficiently good, when the vertex moves
-  // to x
+  // Says if each quad stays as good as it is, or at least sufficiently good, when the vertex moves
+  // to x. Around a bad quad, good ones need not stay better than that, so that it does not hold all
+  // the others where they are; but they must not be inverted.
   bool permits(const Vector& x) const
   {
     constexpr double sufficient = 0.5;
     return std::all_of(m_sectors.begin(), m_sectors.end(), [&](const Sector& s) {
       const double q = quality(s.moved_to(x), s.normals);
-      return q >= sufficient || q >= quality(s.quad, s.normals);
+      return q >= sufficient || q >= s.quality || (q > 0 && q >= m_least_quality);
     });
   }
 
@@ -173,19 +188,21 @@ private:
   struct Sector : Quad_on_surface
   {
     Sector(const Quad_on_surface& q, const Vector& mean_normal, double weight)
-      : Quad_on_surface(q), mean_normal(mean_normal), weight(weight)
+      : Quad_on_surface(q), mean_normal(mean_normal), weight(weight),
+        quality(internal::quality(q.quad, q.normals))
     {
     }
     Quad moved_to(const Vector& x) const { return {x, quad[1], quad[2], quad[3]}; }
 
     Vector mean_normal;
-    double weight;
+    double weight, quality;
   };
 
   double number_of_edges() const { return double(m_sectors.size() + m_edges.size()); }
 
   std::vector<Sector> m_sectors;
   std::vector<Edge> m_edges;
+  double m_least_quality = 1; // of the quads
 };
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -91,13 +92,16 @@ public:
   }
 
   // Returns the unit normal of the triangle nearest to p. If that is no single one, as they share
-  // an edge or vertex, the normal is the one that agrees least with `direction`.
-  Vector nearest_normal(const Vector& p, const Vector& direction) const
+  // an edge or vertex, the normal is the one that agrees least with `direction`. The search is
+  // short if p is near to a face.
+  Vector nearest_normal(const Vector& p, const Vector& direction, int face) const
   {
-    const int nearest = m_tree.nearest(p).triangle;
+    const Projection near = walk(face, p);
+    const int nearest =
+        m_tree.nearest(p, {near.point, near.face, std::sqrt(near.squared_distance)}).triangle;
     Vector result = m_surface.normal(nearest);
-    for_each_face_beyond(project(nearest, p), [&](int face) {
-      const Vector n = m_surface.normal(face);
+    for_each_face_beyond(project(nearest, p), [&](int beyond) {
+      const Vector n = m_surface.normal(beyond);
       if (n.dot(direction) < result.dot(direction))
         result = n;
     });
@@ -109,9 +113,8 @@ public:
   {
     if (start.fixed_halfedge >= 0)
       return slide_on_fixed_edges(start, target);
-    Projection here = project(start.face, target);
-    while (step_closer(target, here)) {}
-    return {here.point, here.face};
+    const Projection reached = walk(start.face, target);
+    return {reached.point, reached.face};
   }
 
   // the unit normal of the surface at a place, interpolated between its vertices
@@ -180,6 +183,14 @@ private:
       best.squared_distance = (best.point - target).squaredNorm();
     }
     return best;
+  }
+
+  // walks from a face as long as that leads closer to a target
+  Projection walk(int face, const Vector& target) const
+  {
+    Projection here = project(face, target);
+    while (step_closer(target, here)) {}
+    return here;
   }
 
   Projection nearest_on_edge(int h, const Vector& p) const

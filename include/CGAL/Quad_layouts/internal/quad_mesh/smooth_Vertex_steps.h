@@ -61,20 +61,6 @@ public:
              [&](const Vector& y) { return m_star.energy(y, spring) < before; });
   }
 
-  // moves v, if it is on a curve that is too far from the edges at v, to a bend of the curve such
-  // that it is less far
-  void follow_curve(int v)
-  {
-    m_quads.gather_star(v, m_star);
-    follow_curve(v, [this](const Vector& x) { return m_star.permits(x); });
-  }
-
-  // the same, whatever becomes of the quads
-  void follow_curve_freely(int v)
-  {
-    follow_curve(v, [](const Vector&) { return true; });
-  }
-
 private:
   // the weighted mean of the neighbours, on a curve the mean of those on the curve
   Vector centre_of_neighbours(int v) const
@@ -82,36 +68,13 @@ private:
     return m_quads.is_on_curve(v) ? m_quads.middle_on_curve(v) : m_star.barycentre();
   }
 
-  template <class Permits>
-  void follow_curve(int v, const Permits& permits)
-  {
-    Surface_walk::Place best = m_quads.place(v);
-    double least = m_quads.deviation_from_curve(v, best);
-    if (least <= m_quads.permitted_deviation())
-      return;
-    m_quads.for_each_place_beside(v, [&](const Surface_walk::Place& place) {
-      const double deviation = m_quads.deviation_from_curve(v, place);
-      if (deviation < least && permits(place.point)) {
-        least = deviation;
-        best = place;
-      }
-    });
-    m_quads.move(v, best);
-  }
-
   // moves v by `step`, or less, to where its quads, its curve and `accepts` say yes
   template <class Accepts>
   void try_move(int v, const Vector& step, const Accepts& accepts)
   {
-    const bool on_curve = m_quads.is_on_curve(v);
-    const double most = on_curve ? (std::max)(m_quads.deviation_from_curve(v, m_quads.place(v)),
-                                              m_quads.permitted_deviation())
-                                 : 0;
     for (const double fraction : {1., 0.5, 0.25, 0.0625}) {
-      const auto place = m_quads.walk().slide(m_quads.place(v),
-                                              m_star.position() + fraction * step);
-      if (m_star.permits(place.point) && accepts(place.point) &&
-          (!on_curve || m_quads.deviation_from_curve(v, place) <= most))
+      const auto place = m_quads.reached(v, m_star.position() + fraction * step);
+      if (m_star.permits(place.point) && accepts(place.point) && m_quads.is_permitted(v, place))
         return m_quads.move(v, place);
     }
   }

@@ -10,6 +10,8 @@
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -56,8 +58,30 @@ public:
     return {m_position[e].curve, m_position[e].distance + along};
   }
 
-  // calls visit(vertex, halfedge, distance) for the vertices of the surface inside a part of a
-  // curve, each with a halfedge of a fixed edge at it. Beyond the length closed curves begin anew.
+  struct Location
+  {
+    Point point;
+    int halfedge; // of its edge
+  };
+
+  // the point at a distance along a curve, which may be that from one of its ends; beyond the
+  // length closed curves begin anew
+  Location location(int curve, double distance) const
+  {
+    const Curve& c = m_curves[curve];
+    if (is_closed(curve))
+      distance -= length(curve) * std::floor(distance / length(curve));
+    const auto after = std::upper_bound(c.distances.begin(), c.distances.end(), distance);
+    const auto last = std::ptrdiff_t(c.halfedges.size()) - 1;
+    const auto i = std::clamp<std::ptrdiff_t>(after - c.distances.begin() - 1, 0, last);
+    const Point &p = m_surface.point(c.vertices[i]), &q = m_surface.point(c.vertices[i + 1]);
+    const double edge = c.distances[i + 1] - c.distances[i];
+    const double fraction = edge > 0 ? (std::min)((distance - c.distances[i]) / edge, 1.) : 0;
+    return {fraction < 1 ? Point(p + fraction * (q - p)) : q, c.halfedges[i]};
+  }
+
+  // calls visit(vertex, distance) for the vertices of the surface inside a part of a curve; beyond
+  // the length closed curves begin anew
   template <class Visit>
   void for_each_vertex_between(int curve, double begin, double end, const Visit& visit) const
   {
@@ -73,7 +97,7 @@ public:
       const double distance = c.distances[i] + turns;
       if (distance >= end)
         return;
-      visit(c.vertices[i], c.halfedges[i - 1], distance);
+      visit(c.vertices[i], distance);
     }
   }
 

@@ -76,6 +76,13 @@ public:
     return {point, int(found.second - m_triangles.cbegin()), (point - p).norm()};
   }
 
+  // the same, for which a point near to p is known; the nearer that is, the less there is to search
+  Place nearest(const Eigen::Vector3d& p, const Place& known) const
+  {
+    return search(
+        p, [](int) { return true; }, known);
+  }
+
   double distance(const Eigen::Vector3d& p) const
   {
     return nearest(p).distance;
@@ -85,12 +92,18 @@ public:
   template <class Admitted>
   Place nearest_if(const Eigen::Vector3d& p, const Admitted& admitted) const
   {
-    Filtered_projection<Admitted> search(*this, p, admitted);
-    m_tree.traversal(point_3(p), search);
-    return search.best;
+    return search(p, admitted, Place());
   }
 
 private:
+  template <class Admitted>
+  Place search(const Eigen::Vector3d& p, const Admitted& admitted, const Place& known) const
+  {
+    Filtered_projection<Admitted> projection(*this, p, admitted, known);
+    m_tree.traversal(point_3(p), projection);
+    return projection.best;
+  }
+
   static Kernel::Point_3 point_3(const Eigen::Vector3d& p)
   {
     return {p.x(), p.y(), p.z()};
@@ -101,8 +114,8 @@ private:
   struct Filtered_projection
   {
     Filtered_projection(const Triangle_tree& owner, const Eigen::Vector3d& p,
-                        const Admitted& admitted)
-      : owner(owner), p(p), admitted(admitted)
+                        const Admitted& admitted, const Place& known)
+      : owner(owner), p(p), admitted(admitted), best(known)
     {
     }
     bool go_further() const { return true; }

@@ -80,9 +80,12 @@ public:
   // in eighths
   int increment(int corner) const { return (m_label[corner] - m_label[Surface::prev(corner)]) & 7; }
 
-  bool is_valid(int f) const
+  bool is_valid(int f) const { return is_valid_with(3 * f, 0); }
+  // says if the face of h would be valid if the quadrant of h were greater by `shift`
+  bool is_valid_with(int h, int shift) const
   {
-    const int a = increment(3 * f), b = increment(3 * f + 1), c = increment(3 * f + 2);
+    const int a = (increment(h) + 2 * shift) & 7, b = (increment(Surface::next(h)) - 2 * shift) & 7,
+              c = increment(Surface::prev(h));
     return a < 5 && b < 5 && c < 5 && a + b + c == 8;
   }
 

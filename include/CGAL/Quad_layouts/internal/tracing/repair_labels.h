@@ -85,6 +85,7 @@ private:
   Change best_change(int h, std::size_t step)
   {
     m_best_cost = (std::numeric_limits<double>::max)();
+    m_at_random = step > m_patience && m_random() % 16 == 0;
     if (!m_labels.is_valid(Surface::face(h)))
       for (int i = 0; i < 3; ++i, h = Surface::next(h))
         consider_changes(h, step > m_patience);
@@ -110,14 +111,17 @@ private:
     }
   }
 
-  // the random part of the cost breaks ties, and lets the search leave local minima
+  // The random part of the cost breaks ties, and lets the search leave local minima; deep ones, by
+  // changes now and then for which nothing else counts.
   void consider(const Change& change)
   {
-    const double before = cost(change.halfedge);
-    shift_labels(change, change.shift);
-    const double random = double(m_random() % 1024) / 1024;
-    const double rise = cost(change.halfedge) - before + random;
-    shift_labels(change, 4 - change.shift);
+    double rise = double(m_random() % 1024) / 1024;
+    if (!m_at_random) {
+      rise -= cost(change.halfedge);
+      shift_labels(change, change.shift);
+      rise += cost(change.halfedge);
+      shift_labels(change, 4 - change.shift);
+    }
     if (rise < m_best_cost) {
       m_best_cost = rise;
       m_best = change;
@@ -147,7 +151,18 @@ private:
            vertex_cost(m_surface.source(h)) + vertex_cost(m_surface.source(g)) + label_cost(h) +
            label_cost(g);
   }
-  double face_cost(int f) const { return m_labels.is_valid(f) ? 0 : 8; }
+  double face_cost(int f) const { return 8 * number_of_wrong_labels(f); }
+  // how many labels must change for a face to be valid; two always suffice, as at most one is fixed
+  int number_of_wrong_labels(int f) const
+  {
+    if (m_labels.is_valid(f))
+      return 0;
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      for (int shift = 1; shift < 4 && !m_surface.is_fixed(h); ++shift)
+        if (m_labels.is_valid_with(h, shift))
+          return 1;
+    return 2;
+  }
   double vertex_cost(int v) const
   {
     const int valence = m_labels.valence(v);
@@ -177,6 +192,7 @@ private:
   std::mt19937 m_random{5489u};
   Change m_best{};
   double m_best_cost = 0;
+  bool m_at_random = false; // whether costs do not count for the next change
 };
 
 // returns the labels of the field, repaired where need be
