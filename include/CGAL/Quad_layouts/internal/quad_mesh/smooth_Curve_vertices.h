@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/internal/surface/Fixed_curves.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -99,9 +100,11 @@ public:
     std::vector<char> is_known(m_sliders.size(), 0);
     for (int v = 0; v < int(m_sliders.size()); ++v)
       if (m_sliders[v].position.curve >= 0 && !is_known[v]) {
-        result.push_back(chain_of(v));
-        for (const int u : result.back().vertices)
+        Chain chain = chain_of(v);
+        for (const int u : chain.vertices)
           is_known[u] = 1;
+        if (is_in_order(chain))
+          result.push_back(std::move(chain));
       }
     return result;
   }
@@ -155,30 +158,76 @@ private:
     return m_sliders[neighbour.vertex].position.curve == m_sliders[v].position.curve;
   }
 
+  // the neighbour of v that is not u
+  const Neighbour& beyond(int v, int u) const
+  {
+    const Slider& slider = m_sliders[v];
+    return slider.before.vertex == u ? slider.after : slider.before;
+  }
+
   // the chain of a vertex that slides; on a closed curve where all do, it begins there
   Chain chain_of(int v) const
   {
-    int first = v;
-    while (slides_with(first, m_sliders[first].before) && m_sliders[first].before.vertex != v)
-      first = m_sliders[first].before.vertex;
-    const bool is_closed = slides_with(first, m_sliders[first].before);
-    if (is_closed)
-      first = m_sliders[v].after.vertex;
-    const Slider& begin = m_sliders[first];
-    Chain result{begin.position.curve, {begin.before.vertex}, {distance(first, begin.before)}};
-    const auto append = [&](int u, double distance) {
-      const Position last{result.curve, result.distances.back()};
-      result.vertices.push_back(u);
-      result.distances.push_back(last.distance + way(last, distance));
-    };
-    for (int u = first;; u = m_sliders[u].after.vertex) {
-      append(u, m_sliders[u].position.distance);
-      if (is_closed ? u == v : !slides_with(u, m_sliders[u].after)) {
-        if (!is_closed)
-          append(m_sliders[u].after.vertex, distance(u, m_sliders[u].after));
+    int first = v, second = m_sliders[v].after.vertex;
+    while (slides_with(first, beyond(first, second))) {
+      const int before = beyond(first, second).vertex;
+      if (before == v)
+        return closed_chain(v);
+      second = first;
+      first = before;
+    }
+    return open_chain(first, beyond(first, second));
+  }
+
+  Chain closed_chain(int v) const
+  {
+    Chain result{m_sliders[v].position.curve, {v}, {m_sliders[v].position.distance}};
+    for (int before = v, u = m_sliders[v].after.vertex; u != v;) {
+      append(result, u, m_sliders[u].position.distance);
+      const int next = beyond(u, before).vertex;
+      before = u;
+      u = next;
+    }
+    append(result, v, m_sliders[v].position.distance);
+    return result;
+  }
+
+  // begins with a neighbour of `first` that does not slide
+  Chain open_chain(int first, const Neighbour& end) const
+  {
+    Chain result{m_sliders[first].position.curve, {end.vertex}, {end.distance}};
+    for (int before = end.vertex, u = first;;) {
+      append(result, u, m_sliders[u].position.distance);
+      const Neighbour& next = beyond(u, before);
+      if (!slides_with(u, next)) {
+        append(result, next.vertex, next.distance);
         return result;
       }
+      before = u;
+      u = next.vertex;
     }
+  }
+
+  void append(Chain& chain, int v, double distance) const
+  {
+    const Position last{chain.curve, chain.distances.back()};
+    chain.vertices.push_back(v);
+    chain.distances.push_back(last.distance + way(last, distance));
+  }
+
+  // says if the vertices of a chain come one after the other on its curve, and not more than once
+  // around a closed one; very short edges may not
+  bool is_in_order(const Chain& chain) const
+  {
+    if (!std::is_sorted(chain.distances.begin(), chain.distances.end()))
+      return false;
+    if (!m_curves.is_closed(chain.curve))
+      return true;
+    const double first = chain.distances.front(), last = chain.distances.back(),
+                 length = m_curves.length(chain.curve);
+    const double direct = way({chain.curve, first}, std::fmod(last, length));
+    const bool is_loop = chain.vertices.front() == chain.vertices.back();
+    return std::lround((last - first - direct) / length) <= (is_loop ? 1 : 0);
   }
 
   // the distance along the curve of v of one of its neighbours
