@@ -22,7 +22,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elk.off");
+  const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/eight.off");
   Mesh mesh, layout, quads;
   if (!CGAL::IO::read_polygon_mesh(file, mesh)) {
     std::cerr << "cannot read " << file << '\n';
