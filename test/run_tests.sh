@@ -8,8 +8,8 @@ cd "$(dirname "$0")/.."
 source scripts/debian_setup.sh
 
 # shellcheck disable=SC2086 # a list of words
-require_packages $build_packages coinor-libcbc-dev libboost-test-dev libopenmesh-dev libsuitesparse-dev doxygen \
-                 $(available_packages libhighs-dev) # not in Debian 12
+require_packages $build_packages coinor-libcbc-dev libboost-test-dev libopenmesh-dev \
+                 libsuitesparse-dev doxygen $(available_packages libhighs-dev) # not in Debian 12
 
 build=${1:-build}
 mkdir -p "$build"
@@ -17,7 +17,7 @@ build=$(cd "$build" && pwd)
 data=$(cgal_data "$build/cgal_data")
 
 # with all assertions, and optimized only so far that it pays: most of the time goes into compiling,
-# for which reason all tests are compiled at a time
+# for which reason all tests are compiled at a time, and so are all examples and all benchmarks
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
       -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
       -DCGAL_DATA_DIR="$data" -DQUAD_LAYOUTS_BUILD_BENCHMARKS=ON
