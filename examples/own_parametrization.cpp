@@ -12,11 +12,12 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <vector>
 
 namespace QL = CGAL::Quad_layouts;
 

@@ -309,7 +309,7 @@ BOOST_AUTO_TEST_CASE(features_inside)
 // top's index would be there, and the edges would have no length.
 BOOST_AUTO_TEST_CASE(fans_in_fixed_edges)
 {
-  Mesh mesh = drum(16, 60);
+  Mesh mesh = drum(16, 25);
   checked_map(field_along_features(mesh), 0.1);
 }
 
@@ -317,7 +317,7 @@ BOOST_AUTO_TEST_CASE(fans_in_fixed_edges)
 BOOST_AUTO_TEST_CASE(rosettes_keep_sectors)
 {
   using QL::internal::Triangle_surface;
-  Mesh mesh = drum(3, 25);
+  Mesh mesh = drum(3, 3);
   const QL::Cross_field field = field_along_features(mesh);
   const auto& surface = field.surface();
   const QL::internal::Cut_graph cut(field);

@@ -15,7 +15,6 @@
 #include <CGAL/Quad_layouts/internal/parametrization/Given_charts.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
-#include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/internal/surface/separate_fixed_curves.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
@@ -172,21 +171,15 @@ Cross_field compute_cross_field(const TriangleMesh& tm,
       get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
   internal::check_field_options(options);
 
-  const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(vertex_point, tm));
   const auto directions = internal::read_face_vectors(
       tm, get_parameter(np, internal_np::face_direction_map));
   const auto constraints = internal::read_face_vectors(
       tm, get_parameter(np, internal_np::face_constraint_map));
 
-  const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
-
   const internal::Monitor monitor = internal::monitor_from(np);
   return monitor.run("compute_cross_field", [&] {
-    internal::Triangle_surface whole = internal::make_triangle_surface(tm, points);
-    internal::fix_constrained_edges(tm, is_constrained, whole);
     const auto surface = std::make_shared<const internal::Triangle_surface>(
-        internal::separate_fixed_curves(whole));
+        internal::separate_fixed_curves(internal::surface_with_fixed_edges(tm, np)));
     monitor.check("compute_cross_field");
     return directions.empty() ? internal::smooth_cross_field(surface, constraints, options, monitor)
                               : internal::given_cross_field(surface, directions);

@@ -12,7 +12,6 @@
 #include <CGAL/Quad_layouts/internal/parametrization/import_charts.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
-#include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -25,19 +24,6 @@ namespace CGAL {
 namespace Quad_layouts {
 
 namespace internal {
-
-// the surface of a mesh with its fixed edges, undivided
-template <class TriangleMesh, class NamedParameters>
-Triangle_surface undivided_surface(const TriangleMesh& tm, const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(vertex_point, tm));
-  Triangle_surface result = make_triangle_surface(tm, points);
-  fix_constrained_edges(tm, get_parameter(np, internal_np::edge_is_constrained), result);
-  return result;
-}
 
 // takes coordinates for the corners of the undivided surface
 template <class NamedParameters>
@@ -67,8 +53,9 @@ The two sides of each edge must be the same vector up to quarter-turns, and fixe
 the border, must have a constant coordinate; an error of a thousandth of the mean length of the edges
 in the map is taken as rounding. The result has exact coordinates nearby: those that the relations
 leave free are rounded to integers, and the others follow (Mandad and Campen, <em>Exact constraint
-satisfaction for truly seamless parametrization</em>, 2019). It counts the triangles that are
-inverted or flat, and the vertices around which triangles cover a wrong angle, but refuses neither.
+satisfaction for truly seamless parametrization</em>, 2019). Cones are where the triangles around a
+vertex cover another angle than elsewhere. Triangles that are inverted or flat are counted, but not
+refused.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam CornerMap a model of `ReadablePropertyMap` with the halfedge descriptor of `TriangleMesh` as
@@ -115,7 +102,7 @@ Seamless_parametrization make_seamless_parametrization(
     const TriangleMesh& tm, CornerMap coordinates,
     const NamedParameters& np = parameters::default_values())
 {
-  const internal::Triangle_surface whole = internal::undivided_surface(tm, np);
+  const internal::Triangle_surface whole = internal::surface_with_fixed_edges(tm, np);
   std::vector<internal::Point2> corners;
   for (const auto f : faces(tm))
     for (const auto h : CGAL::halfedges_around_face(halfedge(f, tm), tm)) {

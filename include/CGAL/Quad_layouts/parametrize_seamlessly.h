@@ -10,6 +10,7 @@
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
+#include <CGAL/Quad_layouts/internal/Deviation_limits.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seamless_optimization.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Target_lengths.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
@@ -110,11 +111,9 @@ Seamless_parametrization parametrize_seamlessly(
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const double edge_length = choose_parameter(get_parameter(np, internal_np::target_edge_length),
-                                              0.01 * field.surface().diagonal());
+  const double edge_length = internal::target_edge_length(field.surface(), np);
   const int most_steps = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
                                           100);
-  internal::require_positive("target_edge_length", edge_length);
   internal::require_parameter(most_steps >= 1, "number_of_iterations", most_steps, "at least 1");
 
   const internal::Target_lengths lengths = internal::read_target_lengths(

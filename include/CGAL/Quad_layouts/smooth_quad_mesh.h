@@ -12,7 +12,6 @@
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quad_smoother.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
 #include <CGAL/Quad_layouts/internal/surface/fix_constrained_edges.h>
-#include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
@@ -167,14 +166,11 @@ void smooth_quad_mesh(QuadMesh& quads, const TriangleMesh& surface,
                               number_of_iterations, "at least 0");
   const auto quad_points = choose_parameter(get_parameter(np_quads, internal_np::vertex_point),
                                             get_property_map(vertex_point, quads));
-  const auto surface_points = choose_parameter(get_parameter(np_surface, internal_np::vertex_point),
-                                               get_const_property_map(vertex_point, surface));
 
   const internal::Monitor monitor = internal::monitor_from(np_quads, np_surface);
   monitor.run("smooth_quad_mesh", [&] {
-    internal::Triangle_surface triangles = internal::make_triangle_surface(surface, surface_points);
-    internal::fix_constrained_edges(
-        surface, get_parameter(np_surface, internal_np::edge_is_constrained), triangles);
+    const internal::Triangle_surface triangles = internal::surface_with_fixed_edges(surface,
+                                                                                    np_surface);
     internal::Polygons mesh = internal::make_polygons(quads, quad_points);
     internal::check_quads(mesh);
     internal::mark_features(quads, get_parameter(np_quads, internal_np::edge_is_constrained), mesh);

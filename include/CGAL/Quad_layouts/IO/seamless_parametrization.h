@@ -45,7 +45,7 @@ Seamless_parametrization read_seamless_parametrization(
     std::istream& in, const TriangleMesh& tm,
     const NamedParameters& np = parameters::default_values())
 {
-  const internal::Triangle_surface whole = internal::undivided_surface(tm, np);
+  const internal::Triangle_surface whole = internal::surface_with_fixed_edges(tm, np);
   return internal::make_seamless_parametrization(whole, internal::read_texture(in, whole), np);
 }
 

@@ -8,29 +8,15 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_CHECK_MAP_H
 
 #include <CGAL/Quad_layouts/Integer_grid_map.h>
-#include <CGAL/Quad_layouts/internal/field/matching.h>
+#include <CGAL/Quad_layouts/internal/quarter_turns.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
-
-// the number of quarter-turns that the triangles around v span in the map; the sum of their angles
-// is a multiple of one, so rounding it loses nothing
-inline int quarter_turns_around(const Integer_grid_map& map, int v)
-{
-  double angle = 0;
-  map.surface().for_each_outgoing(v, [&](int h) {
-    const Point2 a = map.coordinates(Triangle_surface::next(h)) - map.coordinates(h);
-    const Point2 b = map.coordinates(Triangle_surface::prev(h)) - map.coordinates(h);
-    angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  });
-  return int(std::lround(angle / right_angle));
-}
 
 inline bool is_positive(const Integer_grid_map& map, int f)
 {
@@ -61,8 +47,10 @@ inline void check(Integer_grid_map& map, const std::vector<Cone>& cones)
     expected.push_back(surface.is_on_border(v) ? 2 : 4);
   for (const Cone& c : cones)
     expected[c.vertex] -= c.index;
+  const auto corner = [&](int h) { return map.coordinates(h); };
   for (int v = 0; v < surface.number_of_vertices(); ++v)
-    map.wrong_winding += surface.halfedge(v) >= 0 && quarter_turns_around(map, v) != expected[v];
+    map.wrong_winding += surface.halfedge(v) >= 0 &&
+                         quarter_turns_around(surface, v, corner) != expected[v];
 }
 
 } // namespace internal

@@ -10,9 +10,10 @@
 #include <CGAL/Quad_layouts/Chart_transition.h>
 #include <CGAL/Quad_layouts/Cross_field.h>
 #include <CGAL/Quad_layouts/exceptions.h>
-#include <CGAL/Quad_layouts/internal/right_angle.h>
+#include <CGAL/Quad_layouts/internal/quarter_turns.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -34,33 +35,34 @@ public:
 
   // takes coordinates for the corner at the source of each halfedge
   Given_charts(std::shared_ptr<const Surface> surface, std::vector<Point2> corners)
-    : m_surface_pointer(std::move(surface)), m_surface(*m_surface_pointer),
-      m_corner(std::move(corners))
+    : m_surface_pointer(std::move(surface)), m_corner(std::move(corners))
   {
   }
 
-  const Surface& surface() const { return m_surface; }
+  const Surface& surface() const { return *m_surface_pointer; }
   const Point2& corner(int h) const { return m_corner[h]; }
   Point2 vector(int h) const { return m_corner[Surface::next(h)] - m_corner[h]; }
 
   // twice the area of face f in its chart
-  double area(int f) const { return cross(vector(3 * f), -vector(3 * f + 2)); }
+  double area(int f) const { return sides(f).determinant(); }
 
   // by how many quarter-turns, 0 to 3, the chart of the face behind h turns what it takes over; 0
   // on the border
   int quarter_turns(int h) const
   {
-    const int g = m_surface.opposite(h);
+    const int g = surface().opposite(h);
     if (g < 0)
       return 0;
     // rounded once for both sides, of which one then turns back
-    return h < g ? quarters(vector(h), -vector(g)) & 3 : -quarters(vector(g), -vector(h)) & 3;
+    const int first = (std::min)(h, g), second = (std::max)(h, g);
+    const int turns = nearest_quarter_turns(signed_angle(vector(first), -vector(second)));
+    return (h == first ? turns : -turns) & 3;
   }
 
   // the change from the chart of the face of h to that of the face behind
   Transition transition(int h) const
   {
-    const int turns = quarter_turns(h), same = Surface::next(m_surface.opposite(h));
+    const int turns = quarter_turns(h), same = Surface::next(surface().opposite(h));
     return {turns, corner(same) - Transition::turned(corner(h), turns)};
   }
 
@@ -76,13 +78,13 @@ public:
   Cross_field field() const
   {
     std::vector<double> angles;
-    for (int f = 0; f < m_surface.number_of_faces(); ++f)
+    for (int f = 0; f < surface().number_of_faces(); ++f)
       angles.push_back(axis_angle(f));
     std::vector<signed char> matchings;
-    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
+    for (int h = 0; h < surface().number_of_halfedges(); ++h)
       matchings.push_back(static_cast<signed char>(quarter_turns(h)));
     std::vector<int> indices;
-    for (int v = 0; v < m_surface.number_of_vertices(); ++v)
+    for (int v = 0; v < surface().number_of_vertices(); ++v)
       indices.push_back(index(v));
     return Cross_field(m_surface_pointer, std::move(angles), std::move(matchings),
                        std::move(indices));
@@ -91,9 +93,9 @@ public:
 private:
   void check_corners() const
   {
-    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
+    for (int h = 0; h < surface().number_of_halfedges(); ++h)
       if (!corner(h).allFinite())
-        throw Invalid_parametrization("a corner at vertex " + std::to_string(m_surface.source(h)) +
+        throw Invalid_parametrization("a corner at vertex " + std::to_string(surface().source(h)) +
                                       " has a coordinate that is not a finite number");
   }
 
@@ -103,82 +105,78 @@ private:
     // files have coordinates of some six digits
     constexpr double most = 1e-3;
     int worst = 0;
-    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
-      if (error(h) > error(worst))
+    double error = 0;
+    for (int h = 0; h < surface().number_of_halfedges(); ++h)
+      if (const double e = (std::max)(difference_of_sides(h), distance_from_axis(h)); e > error) {
         worst = h;
-    if (error(worst) <= most * mean_length())
+        error = e;
+      }
+    if (error <= most * mean_length())
       return;
-    const std::string edge = "the edge from vertex " + std::to_string(m_surface.source(worst)) +
-                             " to vertex " + std::to_string(m_surface.target(worst));
-    if (error(worst) > difference_of_sides(worst))
+    const std::string edge = "the edge from vertex " + std::to_string(surface().source(worst)) +
+                             " to vertex " + std::to_string(surface().target(worst));
+    if (error > difference_of_sides(worst))
       throw Invalid_parametrization("no line of constant coordinates: " + edge +
                                     " is fixed or on the border, and leaves its line by " +
-                                    std::to_string(error(worst)));
+                                    std::to_string(error));
     throw Invalid_parametrization("not seamless: the sides of " + edge + " differ by " +
-                                  std::to_string(error(worst)));
-  }
-
-  static double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-  // the number of quarter-turns that is nearest to the angle from a to b
-  static int quarters(const Point2& a, const Point2& b)
-  {
-    return int(std::lround(std::atan2(cross(a, b), a.dot(b)) / right_angle));
+                                  std::to_string(error));
   }
 
   double mean_length() const
   {
     double sum = 0;
-    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
+    for (int h = 0; h < surface().number_of_halfedges(); ++h)
       sum += vector(h).norm();
-    return sum / m_surface.number_of_halfedges();
+    return sum / surface().number_of_halfedges();
   }
 
   double difference_of_sides(int h) const
   {
-    if (m_surface.is_border(h))
+    if (surface().is_border(h))
       return 0;
-    return (Transition::turned(vector(h), quarter_turns(h)) + vector(m_surface.opposite(h))).norm();
+    return (Transition::turned(vector(h), quarter_turns(h)) + vector(surface().opposite(h))).norm();
   }
 
-  double error(int h) const
+  // how far a fixed edge is from running along an axis
+  double distance_from_axis(int h) const
   {
-    const double sides = difference_of_sides(h);
-    return m_surface.is_fixed(h) ? (std::max)(sides, vector(h).cwiseAbs().minCoeff()) : sides;
+    return surface().is_fixed(h) ? vector(h).cwiseAbs().minCoeff() : 0;
+  }
+
+  // the matrix of two sides of face f in its chart
+  Eigen::Matrix2d sides(int f) const
+  {
+    Eigen::Matrix2d result;
+    result << vector(3 * f), -vector(3 * f + 2);
+    return result;
   }
 
   // The angle of the x-axis in the frame of face f. A fixed edge runs along an axis; the axes of
   // other faces are turned as if the map was the rotation that is nearest to it.
   double axis_angle(int f) const
   {
-    const int fixed = m_surface.fixed_halfedge(f);
+    const int fixed = surface().fixed_halfedge(f);
     if (fixed >= 0)
-      return m_surface.halfedge_angle(fixed) -
-             quarters(Point2::UnitX(), vector(fixed)) * right_angle;
-    const auto p = m_surface.planar_corners(f);
-    Eigen::Matrix2d there, here;
-    there << vector(3 * f), -vector(3 * f + 2);
-    here << p[1] - p[0], p[2] - p[0];
-    const Eigen::Matrix2d map = there * here.inverse();
+      return surface().halfedge_angle(fixed) -
+             nearest_quarter_turns(signed_angle(Point2::UnitX(), vector(fixed))) * right_angle;
+    const auto p = surface().planar_corners(f);
+    Eigen::Matrix2d on_surface;
+    on_surface << p[1] - p[0], p[2] - p[0];
+    const Eigen::Matrix2d map = sides(f) * on_surface.inverse();
     return -std::atan2(map(1, 0) - map(0, 1), map(0, 0) + map(1, 1));
   }
 
-  // The angles around a vertex, signed, sum to quarter-turns: those of the transitions inside, and
-  // from axis to axis on the border.
+  // what the triangles around v say of it
   int index(int v) const
   {
-    if (m_surface.halfedge(v) < 0)
+    if (surface().halfedge(v) < 0)
       return 0;
-    double sum = 0;
-    m_surface.for_each_outgoing(v, [&](int h) {
-      const Point2 a = vector(h), b = -vector(Surface::prev(h));
-      sum += std::atan2(cross(a, b), a.dot(b));
-    });
-    return (m_surface.is_on_border(v) ? 2 : 4) - int(std::lround(sum / right_angle));
+    return (surface().is_on_border(v) ? 2 : 4) -
+           quarter_turns_around(surface(), v, [this](int h) { return corner(h); });
   }
 
   std::shared_ptr<const Surface> m_surface_pointer;
-  const Surface& m_surface;
   std::vector<Point2> m_corner;
 };
 

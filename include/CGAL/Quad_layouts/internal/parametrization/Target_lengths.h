@@ -25,7 +25,7 @@ namespace internal {
 class Target_lengths
 {
 public:
-  Target_lengths(double uniform) : m_uniform(uniform) {} // implicit, for tests and simple callers
+  Target_lengths(double uniform) : m_uniform(uniform) {} // a length is one for all faces
   Target_lengths(double uniform, std::vector<Eigen::Vector2d> in_faces)
     : m_uniform(uniform), m_in_faces(std::move(in_faces))
   {

@@ -9,9 +9,8 @@
 
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Integer_128.h>
-#include <CGAL/Quad_layouts/internal/right_angle.h>
+#include <CGAL/Quad_layouts/internal/quarter_turns.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -73,19 +72,11 @@ inline int number_of_inverted_faces(const Seamless_parametrization& map)
   return result;
 }
 
-// The angles of positive triangles around a vertex sum to an integer number of right angles,
-// because the transitions are exact and fixed edges have the directions of axes: so errors of
-// rounding are rounded away.
+// says if the triangles around v span the angle that its index demands
 inline bool has_right_angle_sum(const Seamless_parametrization& map, int v)
 {
-  double sum = 0;
-  map.surface().for_each_outgoing(v, [&](int h) {
-    const Eigen::Vector2d p = map.point(h), a = map.point(Triangle_surface::next(h)) - p,
-                          b = map.point(Triangle_surface::prev(h)) - p;
-    sum += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  });
   const int quadrants = (map.surface().is_on_border(v) ? 2 : 4) - map.vertex_index[v];
-  return std::abs(sum / right_angle - quadrants) < 0.5;
+  return quarter_turns_around(map.surface(), v, [&](int h) { return map.point(h); }) == quadrants;
 }
 
 // the vertices without the angle that their index demands

@@ -8,6 +8,8 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_SURFACE_FIX_CONSTRAINED_EDGES_H
 
 #include <CGAL/Quad_layouts/internal/surface/Triangle_surface.h>
+#include <CGAL/Quad_layouts/internal/surface/make_triangle_surface.h>
+#include <CGAL/Quad_layouts/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -33,6 +35,20 @@ void fix_constrained_edges(const FaceGraph& mesh, EdgeMap is_constrained, Triang
 template <class FaceGraph>
 void fix_constrained_edges(const FaceGraph&, const internal_np::Param_not_found&, Triangle_surface&)
 {
+}
+
+// the working copy of a mesh whose faces are not divided, with the edges fixed that the named
+// parameter `edge_is_constrained_map` says
+template <class FaceGraph, class NamedParameters>
+Triangle_surface surface_with_fixed_edges(const FaceGraph& mesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                       get_const_property_map(vertex_point, mesh));
+  Triangle_surface result = make_triangle_surface(mesh, points);
+  fix_constrained_edges(mesh, get_parameter(np, internal_np::edge_is_constrained), result);
+  return result;
 }
 
 } // namespace internal
