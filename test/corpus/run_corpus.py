@@ -2,7 +2,8 @@
 """Runs the command on every model of some folders and prints one line per model and a summary.
 
     run_corpus.py --program build/examples/quad_layout [--data DIR ...] [--models NAME ...] [--features DEG]
-                  [--metrics quad_metrics.py] [--strict] [--jobs 2] [--seconds S] [--output DIR] [--table FILE]
+                  [--metrics quad_metrics.py] [--route field|parametrization] [--strict] [--jobs 2] [--seconds S]
+                  [--output DIR] [--table FILE]
 
 A model passes if the command succeeds, the map is valid, no T-junction is left and, with --metrics (a program that measures
 a quad mesh and prints JSON), the independent measures agree with stats.json. With --features edges sharper than the angle
@@ -23,7 +24,7 @@ import subprocess
 import sys
 import time
 
-COLUMNS = ("model", "faces", "S in", "S out", "floor", "P r=0", "P", "quads", "MSJ min", "MSJ avg", "feature",
+COLUMNS = ("model", "route", "faces", "S in", "S out", "floor", "P r=0", "P", "quads", "MSJ min", "MSJ avg", "feature",
            "field", "trace", "quantize", "embed", "smooth", "total", "status", "gap", "verdict")
 
 
@@ -37,6 +38,8 @@ def run(options, model, out, *more):
     command = [options.program, model, "--output", out, "--quiet", *more]
     if options.features:
         command += ["--features", str(options.features)]
+    if options.route:
+        command += ["--route", options.route]
     try:
         done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                               timeout=options.seconds)
@@ -92,7 +95,7 @@ def examine(model, options, repair=False):
         row.update(total="%.1f" % seconds, verdict=reason)
         return row, False
     spent, program = stats["seconds"], stats["program"]
-    row.update({"faces": stats["input"]["faces"], "S in": stats["singularities_in"],
+    row.update({"route": stats["route"], "faces": stats["input"]["faces"], "S in": stats["singularities_in"],
                 "S out": stats["singularities_out"], "floor": stats["patches_floor"], "P": stats["patches"],
                 "quads": stats["quads"], "MSJ min": "%.3f" % stats["msj_min"],
                 "MSJ avg": "%.4f" % stats["msj_avg"], "status": program["status"],
@@ -215,6 +218,7 @@ def main():
     parser.add_argument("--features", type=float, default=0, help="the angle of sharp edges, in degrees")
     parser.add_argument("--seconds", type=float, default=600, help="that a model may take")
     parser.add_argument("--metrics")
+    parser.add_argument("--route", help="that of the command if not given")
     parser.add_argument("--strict", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--output", default="corpus")
