@@ -55,7 +55,10 @@ public:
   void align()
   {
     m_energy.set_barrier(0, 0);
-    m_x += direction();
+    const Eigen::VectorXd move = direction();
+    if (m_solver.info() != Eigen::Success)
+      throw Stage_failure("parametrize_seamlessly: the system of equations cannot be solved");
+    m_x += move;
   }
 
   // Turns inverted triangles back, as far as it can, and then improves the map, all triangles of
@@ -78,7 +81,7 @@ public:
   }
 
 private:
-  // the step to the minimum of the quadratic model
+  // the step to the minimum of the quadratic model, unless the solver says that it finds none
   Eigen::VectorXd direction()
   {
     Eigen::VectorXd gradient;
@@ -90,12 +93,13 @@ private:
     m_is_analyzed = true;
     m_solver.factorize(reduced);
     if (m_solver.info() != Eigen::Success)
-      throw Stage_failure("parametrize_seamlessly: the system of equations cannot be solved");
+      return Eigen::VectorXd::Zero(m_x.size());
     return m_basis * m_solver.solve(-(m_basis.transpose() * gradient));
   }
 
-  // goes along the direction as far as the energy falls, and, if the triangles are positive, not to
-  // where the first loses its area; returns by which part the energy fell
+  // Goes along the direction as far as the energy falls, and, if the triangles are positive, not to
+  // where the first loses its area; returns by which part the energy fell. There is no direction
+  // where triangles are so flat that numbers of the solver are too far apart.
   double step(bool is_positive)
   {
     const Eigen::VectorXd move = direction(), start = m_x;

@@ -94,6 +94,7 @@ inline Seamless_parametrization import_charts(const Given_charts& charts, double
     for (const int i : {0, 1})
       x[seams.unknown(h, i)] = p[i];
   }
+  seams.find_translations(x);
   return exact_parametrization(field, cut, seams, x, edge_length);
 }
 
