@@ -341,6 +341,46 @@ BOOST_AUTO_TEST_CASE(rosettes_keep_sectors)
   }
 }
 
+// Each edge that is cut is in one seam, and one motion holds along a seam.
+BOOST_AUTO_TEST_CASE(seams_cover_the_cut)
+{
+  for (const Mesh& mesh : {generated::noisy(generated::icosphere(3), 0.15, 3),
+                           generated::torus(24, 12), generated::annulus(0.5, 1, 6, 40)}) {
+    const QL::Cross_field field = QL::compute_cross_field(mesh);
+    const auto& surface = field.surface();
+    const QL::internal::Cut_graph cut(field);
+    std::vector<int> seams_with(surface.number_of_edges(), 0);
+    for (const std::vector<int>& seam : QL::internal::find_seams(surface, cut))
+      for (const int h : seam) {
+        ++seams_with[surface.edge(h)];
+        BOOST_TEST(cut.quarter_turns(h) == cut.quarter_turns(seam.front()));
+      }
+    for (int e = 0; e < surface.number_of_edges(); ++e) {
+      const int h = surface.halfedge_of_edge(e);
+      BOOST_TEST(seams_with[e] == (cut.is_cut(h) && !surface.is_border(h)));
+    }
+  }
+}
+
+// However many cones there are, unknowns depend on few others, for which the system of equations
+// stays sparse.
+BOOST_AUTO_TEST_CASE(relations_are_short)
+{
+  const QL::Cross_field field = QL::compute_cross_field(
+      generated::noisy(generated::icosphere(4), 0.15, 3));
+  BOOST_TEST(field.number_of_singularities() > 100);
+  const QL::internal::Cut_graph cut(field);
+  const QL::internal::Seam_constraints seams(field.surface(), cut);
+  std::size_t dependent = 0, terms = 0;
+  for (int i = 0; i < seams.number_of_unknowns(); ++i)
+    if (!seams.relations().is_free(i)) {
+      ++dependent;
+      terms += seams.relations().combination(i).size();
+    }
+  BOOST_TEST(terms < 10 * dependent);
+  BOOST_TEST(seams.relations().common_denominator() <= 16);
+}
+
 // fields with many singularities need inverted triangles to be turned back
 BOOST_AUTO_TEST_CASE(inverted_triangles_are_turned_back)
 {

@@ -80,7 +80,7 @@ inline const char* usage()
          "seamless\n"
          "                         one of the field if one is found, or automatic, which is the "
          "field for\n"
-         "                         more than 100,000 triangles or 300 singularities (automatic)\n"
+         "                         more than 100,000 triangles or 1,000 singularities (automatic)\n"
          "  --write-field FILE     where to write the field, as .rosy, .rawfield or .ffield\n"
          "  --features DEG         keep edges that are sharper than this angle (none)\n"
          "  --repair               first make an oriented manifold of triangles of the input\n"

@@ -21,11 +21,11 @@ namespace Quad_layouts {
 
 namespace internal {
 
-// Layouts by a parametrization are simpler, but it takes minutes if its matrix is large, or dense
-// because of many cones.
+// Layouts by a parametrization are simpler, but it takes minutes for a large surface, and hardly any
+// map is locally injective that has a thousand cones between feature curves.
 inline Layout_route automatic_route(const Cross_field& field)
 {
-  constexpr int most_faces = 100000, most_singularities = 300;
+  constexpr int most_faces = 100000, most_singularities = 1000;
   const bool is_fast = field.surface().number_of_faces() <= most_faces &&
                        field.number_of_singularities() <= most_singularities;
   return is_fast ? PARAMETRIZATION : FIELD;

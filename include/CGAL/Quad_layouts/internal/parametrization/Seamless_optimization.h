@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <set>
+#include <utility>
 
 namespace CGAL {
 namespace Quad_layouts {
@@ -58,24 +59,27 @@ public:
     untangle();
   }
 
-  // the map after the triangles around vertices that have a wrong sum of angles were spread, as far
-  // as that helps: around those of valence 5 and more, or all of them if triangles are inverted
+  // The map after the triangles around vertices that have a wrong sum of angles were spread, as far
+  // as that helps: around those of valence 5 and more, or all of them if triangles are inverted.
   Seamless_parametrization repaired_result()
   {
     constexpr int most_rounds = 3;
     std::set<int> vertices;
-    Seamless_parametrization map = result();
-    for (int round = 0; round < most_rounds && map.wrong_winding > 0; ++round) {
+    Seamless_parametrization best = result();
+    for (int round = 0; round < most_rounds && best.wrong_winding > 0; ++round) {
       const std::size_t known = vertices.size();
-      for (const int v : wrong_windings(map))
-        if (m_field.index(v) < 0 || map.inverted > 0)
+      for (const int v : wrong_windings(best))
+        if (m_field.index(v) < 0 || best.inverted > 0)
           vertices.insert(v);
       if (vertices.size() == known)
         break;
       align_with_rosettes(m_field, vertices);
-      map = result();
+      Seamless_parametrization map = result();
+      if (number_of_defects(map) >= number_of_defects(best))
+        break;
+      best = std::move(map);
     }
-    return map;
+    return best;
   }
 
   Seamless_parametrization result() const
@@ -84,6 +88,11 @@ public:
   }
 
 private:
+  static int number_of_defects(const Seamless_parametrization& map)
+  {
+    return map.inverted + map.wrong_winding;
+  }
+
   void untangle()
   {
     constexpr double barrier = 0.1;
