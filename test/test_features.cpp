@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
+#include <CGAL/Quad_layouts/extract_quad_mesh.h>
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/quad_remesh.h>
 #include <CGAL/Quad_layouts/quantize.h>
@@ -21,8 +22,10 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <vector>
 
 // Feature curves, on their way through all stages.
@@ -189,6 +192,36 @@ BOOST_AUTO_TEST_CASE(circle_on_a_plate)
                          return is_on(p) && is_on(q);
                        }));
   BOOST_TEST(r.layout.number_of_irregular_vertices() == 4);
+}
+
+// Circles on a torus have no irregular vertices that would tell one from the other, nor its sides.
+BOOST_AUTO_TEST_CASE(parallel_circles)
+{
+  constexpr int nu = 24, nv = 12;
+  for (const bool around_hole : {false, true})
+    for (const std::set<int>& circles : {std::set<int>{0, 3}, {0, 9}, {1, 3, 8}, {0, 1, 3, 6}}) {
+      Mesh mesh = generated::torus(nu, nv);
+      const auto circle = [&](Mesh::Vertex_index v) { return around_hole ? v % nv : v / nv; };
+      Edge_map is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+      std::vector<generated::Kernel::Segment_3> segments;
+      for (const auto e : edges(mesh))
+        if (circle(source(e, mesh)) == circle(target(e, mesh)) &&
+            circles.count(circle(source(e, mesh)))) {
+          is_feature[e] = true;
+          segments.push_back(segment(e, mesh));
+        }
+      const Result r = run(mesh, is_feature);
+      const auto curves = QL::layout_curves(r.map, r.layout);
+      const auto is_on_circle = [&](const auto& x) {
+        const generated::Point p(x.x(), x.y(), x.z());
+        return std::any_of(segments.begin(), segments.end(),
+                           [&](const auto& s) { return CGAL::squared_distance(p, s) < 1e-12; });
+      };
+      BOOST_TEST(invariants::violations(int(curves.size()), [&](int e) {
+                   return !r.layout.is_fixed(e) ||
+                          std::all_of(curves[e].begin(), curves[e].end(), is_on_circle);
+                 }) == 0);
+    }
 }
 
 // The field of this mesh winds around a limit cycle between sharp edges, also where traces stop at

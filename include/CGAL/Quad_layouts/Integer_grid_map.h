@@ -54,6 +54,7 @@ public:
     int layout_halfedge; ///< the layout halfedge that begins at the anchor in that direction
   };
 
+  /// returns the surface. Its fixed edges are mapped to the fixed edges of the layout.
   const Surface& surface() const { return *surface_pointer; }
   /// returns the coordinates of the corner at the source of halfedge `h` in the chart of the face
   /// of `h`.

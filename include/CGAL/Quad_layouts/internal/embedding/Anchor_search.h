@@ -24,8 +24,9 @@ namespace internal {
 //
 // At the first cone of a component any of the valence many assignments might be right. One that is
 // leads along every layout edge to the place where the layout says it ends, and so finds the
-// assignments at all other cones; a wrong one soon ends somewhere else. So what is found is also
-// proven: the layout is embedded.
+// assignments at all other cones; a wrong one soon ends somewhere else. Where the layout is
+// symmetric it might not: then it leaves the fixed edges, along which those of the layout must run.
+// So what is found is also proven: the layout is embedded.
 class Anchor_search
 {
 public:
@@ -116,7 +117,8 @@ private:
   {
     const double length = m_map.chord_length[m_layout.chord(Quad_layout::edge(h))];
     const std::vector<Map_heading> stops = m_lines.follow(m_start[h], {length});
-    if (stops.empty() || !is_at(stops.back(), m_layout.target(h)))
+    if (stops.empty() || !is_at(stops.back(), m_layout.target(h)) ||
+        (m_layout.is_fixed(Quad_layout::edge(h)) && !m_lines.is_fixed(m_start[h], length)))
       return false;
     const int twin = Quad_layout::opposite(h);
     if (m_layout.is_on_border(m_layout.target(h)))

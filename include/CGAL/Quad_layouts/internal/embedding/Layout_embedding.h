@@ -63,7 +63,11 @@ inline Integer_grid_map to_integer_grid_map(const Curve_mesh& mesh, const Layout
                                             const Map& map, std::vector<int> chord_length)
 {
   Integer_grid_map result;
-  result.surface_pointer = std::make_shared<const Triangle_surface>(mesh.points, mesh.triangles());
+  Triangle_surface surface(mesh.points, mesh.triangles());
+  for (int h = 0; h < surface.number_of_halfedges(); ++h)
+    if (mesh.is_fixed[h])
+      surface.fix(h);
+  result.surface_pointer = std::make_shared<const Triangle_surface>(std::move(surface));
   for (const int l : mesh.curve)
     result.halfedge_transition.push_back(squares.across(l));
   result.chord_length = std::move(chord_length);

@@ -11,6 +11,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -97,19 +98,29 @@ public:
                                   std::vector<Eigen::Vector3d>* curve = nullptr) const
   {
     std::vector<Map_heading> result;
-    const double most = (1 + distances.back()) * m_map.surface().number_of_faces();
-    for (double steps = 0; steps < most; ++steps) {
-      const int h = exit(line);
-      if (h < 0)
-        break;
-      append_points_before(h, line, distances, result);
+    for_each_face(line, distances.back(), [&](int h, const Map_heading& here) {
+      append_points_before(h, here, distances, result);
       if (result.size() == distances.size() || m_map.surface().is_border(h))
-        break;
+        return false;
       if (curve)
-        curve->push_back(crossing_point(h, line));
-      line = crossed(h, line);
-    }
+        curve->push_back(crossing_point(h, here));
+      return true;
+    });
     return result;
+  }
+
+  // Whether a line from a start returned by `entered` runs along fixed edges for a distance. As it
+  // has them on its right, it passes the faces on their left.
+  bool is_fixed(const Map_heading& line, double distance) const
+  {
+    double covered = 0;
+    for_each_face(line, distance, [&](int h, const Map_heading& here) {
+      for (int g = 3 * here.face; g < 3 * here.face + 3; ++g)
+        if (m_map.surface().is_fixed(g))
+          covered += covered_by(g, here, distance);
+      return side(h, ahead(here, distance)) == ON_NEGATIVE_SIDE && !m_map.surface().is_border(h);
+    });
+    return covered == distance; // coordinates are added without rounding
   }
 
   // the point of the surface
@@ -129,6 +140,34 @@ public:
   }
 
 private:
+  // Calls `visit` with the halfedge through which the line leaves a face, and the line in the chart
+  // of that face, for one face after the other, until it returns false or the line, which shall be
+  // followed for a distance, gets lost.
+  template <class Visit>
+  void for_each_face(Map_heading line, double distance, const Visit& visit) const
+  {
+    const double most = (1 + distance) * m_map.surface().number_of_faces();
+    for (double steps = 0; steps < most; ++steps) {
+      const int h = exit(line);
+      if (h < 0 || !visit(h, line))
+        return;
+      line = crossed(h, line);
+    }
+  }
+
+  // the length by which a line, up to a distance, is covered by g, a halfedge in its face
+  double covered_by(int g, const Map_heading& line, double distance) const
+  {
+    const int turns = 4 - line.direction;
+    const Point_2 from = Integer_grid_map::Transition::turned(m_map.coordinates(g) - line.position,
+                                                              turns),
+                  to = Integer_grid_map::Transition::turned(
+                      m_map.coordinates(Surface::next(g)) - line.position, turns);
+    if (from.y() != 0 || to.y() != 0)
+      return 0;
+    return (std::max)((std::min)(to.x(), distance) - (std::max)(from.x(), 0.), 0.);
+  }
+
   static Point_2 ahead(const Map_heading& line, double distance)
   {
     const Point_2 forward(distance, 0);
