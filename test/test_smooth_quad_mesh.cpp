@@ -91,6 +91,28 @@ Mesh strip(const std::vector<Point>& bottom, const std::vector<Point>& top, bool
 
 } // namespace
 
+// The sides of a slit are in one place, but vertices stay on their own one.
+BOOST_AUTO_TEST_CASE(sides_of_a_slit)
+{
+  constexpr int n = 8, tip = 3, row = 4;
+  std::vector<Point> points;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      points.emplace_back(i + 0.3 * std::sin(i) * (i % n != 0), j, 0);
+  for (int i = tip + 1; i <= n; ++i)
+    points.push_back(points[row * (n + 1) + i]);
+  const auto vertex = [&](int i, int j, bool above) {
+    return j == row && i > tip && above ? (n + 1) * (n + 1) + i - tip - 1 : j * (n + 1) + i;
+  };
+  std::vector<std::vector<int>> squares;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      squares.push_back({vertex(i, j, j >= row), vertex(i + 1, j, j >= row),
+                         vertex(i + 1, j + 1, j >= row), vertex(i, j + 1, j >= row)});
+  Mesh quads = generated::mesh_of_polygons(points, squares);
+  BOOST_TEST(smoothed(quads, generated::triangulated(quads)).msj_minimum > 0.9);
+}
+
 BOOST_AUTO_TEST_CASE(a_regular_cube_stays)
 {
   const Mesh before = generated::quad_box({6, 6, 6});
