@@ -9,9 +9,11 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
 endif()
 
-# Applies to our own sources what a user's project need not bear.
+# Applies to our own sources what a user's project need not bear; only where tests are built, a warning
+# is an error.
 function(quad_layouts_compile_strictly target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Werror)
+  target_compile_options(${target} PRIVATE -Wall -Wextra
+                                           $<$<BOOL:${QUAD_LAYOUTS_BUILD_TESTS}>:-Werror>)
 endfunction()
 
 # Adds the program `name`, made of `name`.cpp or of another source that is given.

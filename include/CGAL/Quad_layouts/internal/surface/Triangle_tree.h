@@ -48,7 +48,7 @@ class Triangle_tree
 public:
   struct Place
   {
-    Eigen::Vector3d point;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
     int triangle = -1; // -1: no triangle was admitted
     double distance = (std::numeric_limits<double>::infinity)();
   };
