@@ -22,4 +22,4 @@ if [ ! -d "$folder/usr/include/CGAL" ]; then
   exit
 fi
 compiler=$(command -v clang++ || echo g++) # clang takes less than half the time
-.ci/check_syntax.sh "$1" "$compiler" -isystem "$folder/usr/include"
+.ci/check_sources.sh "$1" "$compiler" -fsyntax-only -isystem "$folder/usr/include"

@@ -21,7 +21,7 @@ namespace Quad_layouts {
 
 namespace internal {
 
-// Layouts by a parametrization are simpler, but it takes minutes for a large surface, and hardly any
+// Layouts by a parametrization are simpler, but it takes long for a large surface, and hardly any
 // map is locally injective that has a thousand cones between feature curves.
 inline Layout_route automatic_route(const Cross_field& field)
 {

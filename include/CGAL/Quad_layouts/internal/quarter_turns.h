@@ -22,11 +22,6 @@ inline double signed_angle(const Point2& a, const Point2& b)
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
-inline int nearest_quarter_turns(double angle)
-{
-  return int(std::lround(angle / right_angle));
-}
-
 // The number of quarter-turns that the triangles around v span in a map in which the corner at the
 // source of h is at corner(h). Where charts turn into each other by quarter-turns, and the border
 // runs along axes, the angles sum to a multiple of one, so rounding loses nothing.

@@ -9,12 +9,19 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
 // the unit of all that a cross field turns by
 constexpr double right_angle = CGAL_PI / 2;
+
+inline int nearest_quarter_turns(double angle)
+{
+  return int(std::lround(angle / right_angle));
+}
 
 } // namespace internal
 } // namespace Quad_layouts

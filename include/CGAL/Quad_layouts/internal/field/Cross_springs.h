@@ -91,7 +91,7 @@ public:
   // the jump for which the rotation of s is least
   int nearest_jump(const std::vector<double>& angles, int s) const
   {
-    return -int(std::lround(turn(angles, s) / right_angle));
+    return -nearest_quarter_turns(turn(angles, s));
   }
   double rotation(const std::vector<double>& angles, const std::vector<int>& jumps, int s) const
   {

@@ -38,7 +38,7 @@ inline std::vector<int> principal_period_jumps(const Face_connection& connection
     if (g < 0)
       continue;
     const double turn = angles[surface.face(h)] + connection.transport(h) - angles[surface.face(g)];
-    jumps[h] = int(std::lround(turn / right_angle));
+    jumps[h] = nearest_quarter_turns(turn);
     jumps[g] = -jumps[h];
   }
   return jumps;

@@ -67,7 +67,7 @@ inline int number_of_quadrants(const Face_connection& connection, const std::vec
   double turn = sector_angle(connection, h);
   for (int g : inside_of_sector(connection.surface(), h))
     turn += rotation(connection, angles, jumps, g);
-  return int(std::lround(turn / right_angle));
+  return nearest_quarter_turns(turn);
 }
 
 // Lets the field have as many quadrants in each sector as that needs at least: where fixed edges

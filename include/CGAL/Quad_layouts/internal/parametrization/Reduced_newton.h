@@ -74,7 +74,7 @@ public:
       m_energy.set_barrier(barrier, least > 0 ? 0 : std::hypot(1e-6, 0.2 * least));
       monitor.report("parametrize_seamlessly", double(i) / most_steps);
       const double decrease = step(least > 0);
-      if (least > 0 && decrease < converged)
+      if (m_solver.info() != Eigen::Success || (least > 0 && decrease < converged))
         return;
       idle = least <= 0 && decrease < stuck ? idle + 1 : 0;
     }

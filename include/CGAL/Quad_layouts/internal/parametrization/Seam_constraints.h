@@ -16,7 +16,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -134,9 +133,8 @@ private:
 
   void keep_coordinate(int h)
   {
-    const int f = m_surface.face(h);
-    const int turns = int(
-        std::lround((m_surface.halfedge_angle(h) - m_cut.x_angle(f)) / right_angle));
+    const int turns = nearest_quarter_turns(m_surface.halfedge_angle(h) -
+                                            m_cut.x_angle(m_surface.face(h)));
     const int kept = turns % 2 == 0 ? 1 : 0;
     Combination sum;
     add(sum, unknown(Triangle_surface::next(h), kept), 1);

@@ -189,9 +189,8 @@ private:
 
   bool is_on_border(int v) const
   {
-    return std::any_of(m_corners[v].begin(), m_corners[v].end(), [this](int h) {
-      return m_mesh.is_border(m_mesh.prev(h)) || m_mesh.is_border(h);
-    });
+    return std::any_of(m_corners[v].begin(), m_corners[v].end(),
+                       [this](int h) { return m_mesh.is_border(h); });
   }
 
   bool slides_on_curve(int v) const
@@ -206,12 +205,10 @@ private:
     const auto on_curve = [&](int u) {
       return std::find(curve.begin(), curve.end(), u) != curve.end();
     };
-    bool on_border = false, has_corner = false;
-    for (const int h : m_corners[v]) {
-      on_border |= m_mesh.is_border(h);
-      has_corner |= on_curve(m_mesh.target(h)) && on_curve(m_mesh.source[m_mesh.prev(h)]);
-    }
-    return curve.size() == 2 && m_corners[v].size() == (on_border ? 2 : 4) && !has_corner;
+    const bool has_corner = std::any_of(m_corners[v].begin(), m_corners[v].end(), [&](int h) {
+      return on_curve(m_mesh.target(h)) && on_curve(m_mesh.source[m_mesh.prev(h)]);
+    });
+    return curve.size() == 2 && m_corners[v].size() == (is_on_border(v) ? 2 : 4) && !has_corner;
   }
 
   Quad_on_surface quad_from(int h) const

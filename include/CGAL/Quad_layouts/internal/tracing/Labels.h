@@ -11,7 +11,6 @@
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/internal/right_angle.h>
 
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -150,7 +149,7 @@ private:
   static int direction_of_normal(const Cross_field& field, int h)
   {
     const double normal = field.surface().halfedge_angle(h) - right_angle;
-    return int(std::lround((normal - field.angle(Surface::face(h))) / right_angle)) & 3;
+    return nearest_quarter_turns(normal - field.angle(Surface::face(h))) & 3;
   }
 
   // the axes themselves are in the quadrant behind them

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Checks sources with the given compiler and flags, without making code of them.
-# usage: check_syntax.sh "SOURCE..." COMPILER [FLAG]...
+# Compiles sources, one at a time, with the given compiler and flags, and throws the code away.
+# usage: check_sources.sh "SOURCE..." COMPILER FLAG...
 
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
@@ -13,7 +13,7 @@ if ! command -v "$1" >/dev/null; then
   exit
 fi
 
-compile=("$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -DBOOST_TEST_DYN_LINK
+compile=("$@" -std=c++17 -Wall -Wextra -Werror -DBOOST_TEST_DYN_LINK
          -DCGAL_USE_GLPK -DCGAL_USE_CBC -DCGAL_EIGEN3_ENABLED -Iinclude -Itest
          -isystem /usr/include/eigen3 -isystem /usr/include/coin -isystem /usr/include/highs)
 failures=$(mktemp)
