@@ -29,14 +29,18 @@ public:
   using Vector4 = Eigen::Vector4d;
   using Matrix4 = Eigen::Matrix4d;
 
-  explicit Regularized_distortion(double epsilon) : m_epsilon(epsilon) {}
-
-  double value(const Eigen::Matrix2d& j) const
+  explicit Regularized_distortion(double epsilon, double area_weight = Distortion::area_weight)
+    : m_epsilon(epsilon), m_area_weight(area_weight)
   {
-    const double d = j.determinant();
+  }
+
+  double value(const Eigen::Matrix2d& j) const { return value(j.squaredNorm(), j.determinant()); }
+  // the same for the squared norm of J and its determinant
+  double value(double squared_norm, double d) const
+  {
     if (m_epsilon == 0 && d <= 0)
       return (std::numeric_limits<double>::infinity)();
-    return numerator(j, d) / chi(d);
+    return numerator(squared_norm, d) / chi(d);
   }
 
   // computes gradient and Hessian by the entries of J in column order, where the value is finite
@@ -44,7 +48,7 @@ public:
   {
     const double d = j.determinant(), root = std::hypot(d, m_epsilon), c = chi(d);
     const double c1 = c / root, c2 = m_epsilon * m_epsilon / (2 * root * root * root);
-    const double n = numerator(j, d), a = Distortion::area_weight;
+    const double n = numerator(j.squaredNorm(), d), a = m_area_weight;
     const double by_det = (2 * a * d - n * c1 / c) / c;
     const double by_det_twice = (2 * a - 4 * a * d * c1 / c + n * (2 * c1 * c1 / c - c2) / c) / c;
     const double mixed = -c1 / (c * c);
@@ -61,9 +65,9 @@ public:
   }
 
 private:
-  static double numerator(const Eigen::Matrix2d& j, double d)
+  double numerator(double squared_norm, double d) const
   {
-    return j.squaredNorm() + Distortion::area_weight * (d * d + 1);
+    return squared_norm + m_area_weight * (d * d + 1);
   }
 
   // in a form that does not cancel for negative d
@@ -73,7 +77,7 @@ private:
     return d > 0 ? (d + root) / 2 : m_epsilon * m_epsilon / (2 * (root - d));
   }
 
-  double m_epsilon;
+  double m_epsilon, m_area_weight;
 };
 
 } // namespace internal

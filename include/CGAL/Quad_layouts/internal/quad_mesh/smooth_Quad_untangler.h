@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_QUAD_UNTANGLER_H
 
 #include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Regularized_distortion.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quads_on_surface.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
@@ -45,12 +46,11 @@ public:
   {
   }
 
-  // Relaxes surroundings with nothing to hinder it, which unfolds them where the surface is nearly
-  // flat, and improves the shape there.
+  // turns folded quads back with surroundings that grow, and improves the shape there
   void unfold()
   {
-    const auto attempt = [this](const std::vector<int>& region, int rings) {
-      relax_freely(region, 10 * rings);
+    const auto attempt = [this](const std::vector<int>& region, int) {
+      unfold(region);
       for (int i = 0; i < 10; ++i)
         for (const int v : region)
           m_steps.improve_shape(v);
@@ -60,7 +60,7 @@ public:
       treat_groups(suspects, 0, rings, attempt);
   }
 
-  // Searches for better places of single vertices, from where they are and from the relaxed state.
+  // Searches for better places of single vertices, from where they are and from the unfolded state.
   // This also helps where quads are not small compared to features of the surface, so that neither
   // its normals at their corners nor derivatives tell the way. Improves poor quads, too. Begins
   // anew, which is with better surroundings, as long as this makes fewer quads bad.
@@ -78,8 +78,8 @@ private:
   {
     constexpr double poor = 0.5;
     const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
-    const auto search_anew = [this](const std::vector<int>& region, int rings) {
-      relax_freely(region, 5 * rings);
+    const auto search_anew = [this](const std::vector<int>& region, int) {
+      unfold(region);
       search(region);
     };
     std::vector<int> suspects = all_quads();
@@ -208,6 +208,7 @@ private:
     const auto attempt = [&](const std::vector<int>& region, int) {
       for (const int v : region)
         displace(v, random);
+      unfold(region);
       search(region);
     };
     int bad_quads = badness(suspects, 0).bad_quads;
@@ -228,11 +229,29 @@ private:
     m_quads.slide(v, m_quads.place(v).point + length * (x * t1 + y * t2));
   }
 
-  void relax_freely(const std::vector<int>& region, int sweeps)
+  // Turns the folded quads of a region back together: the less the worst corner is folded, the more
+  // decisive its part of the regularized distortion becomes (Garanzha et al. 2021).
+  void unfold(const std::vector<int>& region)
   {
-    for (int i = 0; i < sweeps; ++i)
+    constexpr int number_of_sweeps = 60;
+    constexpr double least_epsilon = 1e-3, area_weight = 1;
+    double length = 0;
+    for (const int v : region)
+      length += m_quads.edge_length(v) / double(region.size());
+    for (int i = 0; i < number_of_sweeps; ++i) {
+      const double worst = (std::min)(least_determinant(region, length), 0.);
+      const Regularized_distortion measure(std::hypot(least_epsilon, 0.2 * worst), area_weight);
       for (const int v : region)
-        m_steps.relax_freely(v);
+        m_steps.unfold(v, measure, length);
+    }
+  }
+
+  double least_determinant(const std::vector<int>& region, double unit)
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for (const int v : region)
+      result = (std::min)(result, m_steps.least_determinant(v, unit));
+    return result;
   }
 
   void search(const std::vector<int>& region)

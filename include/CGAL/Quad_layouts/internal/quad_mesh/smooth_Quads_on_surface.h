@@ -164,7 +164,7 @@ private:
       for (const int h : m_corners[v])
         normal += area_vector(quad(m_mesh.face[h]));
       const double tolerance = 0.25 * edge_length(v);
-      m_places.push_back(m_walk.locate(m_mesh.points[v], normal, tolerance));
+      m_places.push_back(m_walk.locate(m_mesh.points[v], normal));
       if (is_on_border(v))
         m_places[v] = place_from_inside(v, normal, tolerance);
       if (is_on_curve(v))
@@ -182,7 +182,7 @@ private:
       for (const Vector& corner : quad(m_mesh.face[h]))
         centre += corner / (4 * double(m_corners[v].size()));
     const Vector& p = m_mesh.points[v];
-    const Place result = m_walk.slide(m_walk.locate(centre, normal, tolerance), p);
+    const Place result = m_walk.slide(m_walk.locate(centre, normal), p);
     return (result.point - p).norm() <= (m_places[v].point - p).norm() + tolerance ? result
                                                                                    : m_places[v];
   }
@@ -211,13 +211,28 @@ private:
     return curve.size() == 2 && m_corners[v].size() == (is_on_border(v) ? 2 : 4) && !has_corner;
   }
 
+  // Corners on curves get the mean of the normals at the others: the surface may be sharply bent
+  // there, and only the side of the quad matters. A quad with all corners on curves gets its own
+  // normal: their order along the curves keeps it from turning over.
   Quad_on_surface quad_from(int h) const
   {
     Quad_on_surface result;
+    std::array<bool, 4> is_on_curve;
+    Vector beside = Vector::Zero();
     for (int k = 0; k < 4; ++k, h = m_mesh.next(h)) {
-      result.quad[k] = m_mesh.points[m_mesh.source[h]];
-      result.normals[k] = m_normals[m_mesh.source[h]];
+      const int v = m_mesh.source[h];
+      result.quad[k] = m_mesh.points[v];
+      result.normals[k] = m_normals[v];
+      is_on_curve[k] = this->is_on_curve(v);
+      if (!is_on_curve[k])
+        beside += m_normals[v];
     }
+    if (beside == Vector::Zero())
+      beside = area_vector(result.quad);
+    beside.stableNormalize();
+    for (int k = 0; k < 4; ++k)
+      if (is_on_curve[k])
+        result.normals[k] = beside;
     return result;
   }
 

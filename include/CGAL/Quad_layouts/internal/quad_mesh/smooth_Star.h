@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_STAR_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_STAR_H
 
+#include <CGAL/Quad_layouts/internal/parametrization/Regularized_distortion.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
 
 #include <Eigen/Core>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -178,6 +180,30 @@ public:
     return sum;
   }
 
+  // the least determinant of the corners of its quads, in units of a squared length
+  double least_determinant(double unit) const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for (const Sector& s : m_sectors)
+      for (int k = 0; k < 4; ++k)
+        result = (std::min)(result, determinant(s.quad, k, s.mean_normal) / (unit * unit));
+    return result;
+  }
+
+  // the sum of the distortions of the maps from squares with edges of length `unit` to the corners
+  // of the quads
+  double distortion(const Vector& x, const Regularized_distortion& measure, double unit) const
+  {
+    double sum = 0;
+    for (const Sector& s : m_sectors) {
+      const Quad q = s.moved_to(x);
+      for (int k = 0; k < 4; ++k)
+        sum += measure.value(squared_norm(q, k) / (unit * unit),
+                             determinant(q, k, s.mean_normal) / (unit * unit));
+    }
+    return sum;
+  }
+
 private:
   struct Edge
   {
@@ -197,6 +223,16 @@ private:
     Vector mean_normal;
     double weight, quality;
   };
+
+  // the determinant, about a unit vector, and the squared norm of the two sides at corner k
+  static double determinant(const Quad& q, int k, const Vector& axis)
+  {
+    return (q[(k + 1) & 3] - q[k]).cross(q[(k + 3) & 3] - q[k]).dot(axis);
+  }
+  static double squared_norm(const Quad& q, int k)
+  {
+    return (q[(k + 1) & 3] - q[k]).squaredNorm() + (q[(k + 3) & 3] - q[k]).squaredNorm();
+  }
 
   double number_of_edges() const { return double(m_sectors.size() + m_edges.size()); }
 

@@ -28,7 +28,8 @@ namespace internal {
 // A point knows its triangle, and follows a target in space by walking from triangle to triangle as
 // long as that brings it closer. Unlike a search for the nearest point of the whole surface this is
 // fast, and can never jump to the other sheet of a thin part. Points on fixed edges of the surface,
-// like those of its border, go from fixed edge to fixed edge in the same way.
+// like those of its border, go from fixed edge to fixed edge in the same way; other points do not
+// cross these.
 class Surface_walk
 {
 public:
@@ -43,23 +44,25 @@ public:
 
   explicit Surface_walk(const Triangle_surface& surface)
     : m_surface(surface), m_tree(corners(surface)),
-      m_vertex_normals(surface.number_of_vertices(), Vector::Zero())
+      m_corner_normals(surface.number_of_halfedges(), Vector::Zero())
   {
     for (int h = 0; h < surface.number_of_halfedges(); ++h)
-      m_vertex_normals[surface.source(h)] += surface.area_vector(surface.face(h));
-    for (Vector& n : m_vertex_normals)
+      for_each_corner_on_this_side(
+          h, [&](int g) { m_corner_normals[h] += surface.area_vector(surface.face(g)); });
+    for (Vector& n : m_corner_normals)
       n.stableNormalize();
   }
 
-  // the place nearest to p. A triangle whose normal opposes `normal` is taken only if it is nearer
-  // than all others by more than `tolerance`: it may belong to the other sheet of a thin part.
-  Place locate(const Vector& p, const Vector& normal, double tolerance) const
+  // the place nearest to p. A triangle whose normal opposes `normal` is taken only if all others
+  // are several times as far away: it may belong to the other sheet of a thin part.
+  Place locate(const Vector& p, const Vector& normal) const
   {
+    constexpr double several = 4;
     const auto nearest = m_tree.nearest(p);
     if (agrees(nearest.triangle, normal))
       return {nearest.point, nearest.triangle};
     const auto agreeing = m_tree.nearest_if(p, [&](int t) { return agrees(t, normal); });
-    const auto& chosen = agreeing.distance <= nearest.distance + tolerance ? agreeing : nearest;
+    const auto& chosen = agreeing.distance <= several * nearest.distance ? agreeing : nearest;
     return {chosen.point, chosen.triangle};
   }
 
@@ -117,7 +120,8 @@ public:
     return {reached.point, reached.face};
   }
 
-  // the unit normal of the surface at a place, interpolated between its vertices
+  // the unit normal of the surface at a place, interpolated between the corners of its face; it
+  // bends across fixed edges
   Vector normal(const Place& place) const
   {
     Vector sum = Vector::Zero();
@@ -125,7 +129,7 @@ public:
       const Vector& a = m_surface.point(m_surface.target(h));
       const Vector& b = m_surface.point(m_surface.target(m_surface.next(h)));
       const double weight = (a - place.point).cross(b - place.point).norm();
-      sum += weight * m_vertex_normals[m_surface.source(h)];
+      sum += weight * m_corner_normals[h];
     }
     const Vector flat = m_surface.normal(place.face);
     return sum.dot(flat) > 0 ? Vector(sum.stableNormalized()) : flat;
@@ -241,11 +245,40 @@ private:
                                   [&](int h) { visit(m_surface.face(h)); });
   }
 
-  // moves to the best of the faces that share the edge or vertex at which `here` lies
+  // visits those of these faces that are on the same side of fixed edges
+  template <class Visit>
+  void for_each_face_on_this_side(const Projection& here, const Visit& visit) const
+  {
+    if (here.where == Projection::ON_EDGE && !m_surface.is_fixed(here.halfedge))
+      visit(m_surface.face(m_surface.opposite(here.halfedge)));
+    else if (here.where == Projection::AT_VERTEX)
+      for_each_corner_on_this_side(here.halfedge, [&](int h) { visit(m_surface.face(h)); });
+  }
+
+  // visits the halfedges whose corners are reached from that of `first` around its source without
+  // crossing fixed edges, and this itself
+  template <class Visit>
+  void for_each_corner_on_this_side(int first, const Visit& visit) const
+  {
+    visit(first);
+    for (int h = first; !m_surface.is_fixed(m_surface.prev(h));) {
+      h = m_surface.turn_left(h);
+      if (h == first)
+        return;
+      visit(h);
+    }
+    for (int h = first; !m_surface.is_fixed(h);) {
+      h = m_surface.turn_right(h);
+      visit(h);
+    }
+  }
+
+  // moves to the best of the faces that share the edge or vertex at which `here` lies, but not
+  // across fixed edges
   bool step_closer(const Vector& target, Projection& here) const
   {
     const double reached = here.squared_distance;
-    for_each_face_beyond(Projection(here), [&](int face) {
+    for_each_face_on_this_side(Projection(here), [&](int face) {
       const Projection p = project(face, target);
       if (p.squared_distance < here.squared_distance)
         here = p;
@@ -255,7 +288,7 @@ private:
 
   const Triangle_surface& m_surface;
   const Triangle_tree m_tree;
-  std::vector<Vector> m_vertex_normals;
+  std::vector<Vector> m_corner_normals; // per halfedge, at its source, of this side of fixed edges
 };
 
 } // namespace internal

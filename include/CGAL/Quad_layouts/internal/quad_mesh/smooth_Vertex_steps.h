@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_VERTEX_STEPS_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_SMOOTH_VERTEX_STEPS_H
 
+#include <CGAL/Quad_layouts/internal/parametrization/Regularized_distortion.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quads_on_surface.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
 
@@ -22,8 +23,8 @@ namespace Quad_layouts {
 namespace internal {
 
 // Moves single vertices of a quad mesh to places where the quads around them are closer to
-// rectangles. A vertex moves only if no quad becomes bad or worse by it, so quads that are not
-// inverted stay so.
+// rectangles. Unless it is to unfold quads, a vertex moves only if none becomes bad or worse by it,
+// so those that are not inverted stay so.
 class Vertex_steps
 {
 public:
@@ -35,14 +36,8 @@ public:
   void relax(int v)
   {
     m_quads.gather_star(v, m_star);
-    try_move(v, centre_of_neighbours(v) - m_star.position(), [](const Vector&) { return true; });
-  }
-
-  // moves v to the weighted mean of its neighbours, whatever becomes of the quads
-  void relax_freely(int v)
-  {
-    m_quads.gather_star(v, m_star);
-    m_quads.slide(v, centre_of_neighbours(v));
+    try_move(v, centre_of_neighbours(v) - m_star.position(),
+             [this](const Vector& x) { return m_star.permits(x); });
   }
 
   // makes a Newton step on the energy of the star
@@ -53,12 +48,28 @@ public:
     if (!(l2 > 0))
       return;
     const double spring = spring_weight / l2, before = m_star.energy(m_star.position(), spring);
-    const Surface_walk::Place& place = m_quads.place(v);
-    try_move(v,
-             place.fixed_halfedge < 0
-                 ? newton_step(m_quads.normal(v), spring, std::sqrt(l2))
-                 : newton_step_along(m_quads.walk().tangent(place), spring, std::sqrt(l2)),
-             [&](const Vector& y) { return m_star.energy(y, spring) < before; });
+    const auto energy = [&](const Vector& x) { return m_star.energy(x, spring); };
+    try_move(v, newton_step(v, energy, std::sqrt(l2)),
+             [&](const Vector& x) { return m_star.permits(x) && energy(x) < before; });
+  }
+
+  // the least determinant of the corners of the quads around v, in units of a squared length
+  double least_determinant(int v, double unit)
+  {
+    m_quads.gather_star(v, m_star);
+    return m_star.least_determinant(unit);
+  }
+
+  // makes a Newton step on the distortion of the quads around v, by which some may turn over
+  void unfold(int v, const Regularized_distortion& measure, double unit)
+  {
+    m_quads.gather_star(v, m_star);
+    const auto energy = [&](const Vector& x) { return m_star.distortion(x, measure, unit); };
+    const double l2 = m_star.squared_edge_length(), before = energy(m_star.position());
+    if (!(l2 > 0))
+      return;
+    try_move(v, newton_step(v, energy, std::sqrt(l2)),
+             [&](const Vector& x) { return energy(x) < before; });
   }
 
 private:
@@ -68,26 +79,35 @@ private:
     return m_quads.is_on_curve(v) ? m_quads.middle_on_curve(v) : m_star.barycentre();
   }
 
-  // moves v by `step`, or less, to where its quads, its curve and `accepts` say yes
+  // moves v by `step`, or less, to where its curve and `accepts` say yes
   template <class Accepts>
   void try_move(int v, const Vector& step, const Accepts& accepts)
   {
     for (const double fraction : {1., 0.5, 0.25, 0.0625}) {
       const auto place = m_quads.reached(v, m_star.position() + fraction * step);
-      if (m_star.permits(place.point) && accepts(place.point) && m_quads.is_permitted(v, place))
+      if (accepts(place.point) && m_quads.is_permitted(v, place))
         return m_quads.move(v, place);
     }
   }
 
-  // the step in the plane with the given normal to the minimum of a quadratic model of the energy,
-  // found from six samples. Negative curvatures are made positive, so that it leads downhill.
-  Vector newton_step(const Vector& normal, double spring, double edge_length) const
+  // the step of v in the surface, or along its curve, to the minimum of a model of an energy
+  template <class Energy>
+  Vector newton_step(int v, const Energy& energy, double edge_length) const
+  {
+    const Surface_walk::Place& place = m_quads.place(v);
+    return place.fixed_halfedge < 0
+               ? newton_step_in_plane(m_quads.normal(v), energy, edge_length)
+               : newton_step_along(m_quads.walk().tangent(place), energy, edge_length);
+  }
+
+  // the same in the plane with the given normal, from six samples of a quadratic model. Negative
+  // curvatures are made positive, so that it leads downhill.
+  template <class Energy>
+  Vector newton_step_in_plane(const Vector& normal, const Energy& energy, double edge_length) const
   {
     const Vector t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
     const double h = 1e-3 * edge_length, longest = 0.5 * edge_length;
-    const auto at = [&](double a, double b) {
-      return m_star.energy(m_star.position() + a * t1 + b * t2, spring);
-    };
+    const auto at = [&](double a, double b) { return energy(m_star.position() + a * t1 + b * t2); };
     const double e00 = at(0, 0), e10 = at(h, 0), em0 = at(-h, 0), e01 = at(0, h), e0m = at(0, -h),
                  e11 = at(h, h);
     const Eigen::Vector2d gradient((e10 - em0) / (2 * h), (e01 - e0m) / (2 * h));
@@ -106,12 +126,11 @@ private:
   }
 
   // the same along a line with the given direction, from three samples
-  Vector newton_step_along(const Vector& direction, double spring, double edge_length) const
+  template <class Energy>
+  Vector newton_step_along(const Vector& direction, const Energy& energy, double edge_length) const
   {
     const double h = 1e-3 * edge_length, longest = 0.5 * edge_length;
-    const auto at = [&](double a) {
-      return m_star.energy(m_star.position() + a * direction, spring);
-    };
+    const auto at = [&](double a) { return energy(m_star.position() + a * direction); };
     const double e0 = at(0), after = at(h), before = at(-h);
     const double slope = (after - before) / (2 * h),
                  curvature = std::abs(after - 2 * e0 + before) / (h * h);
