@@ -69,10 +69,10 @@ to better places (\cgalCite{lck-sqlrs-21}, Section 5). Only irregular vertices o
 features, and corners of these, stay where they are; others slide along them, and no farther than
 lets their edges follow the bends of the curve: within a thousandth of the diagonal of the bounding
 box of the surface, where there are vertices enough for that. Other vertices do not cross the border
-and features. First the vertices are put on the surface, and folded quads are turned back, each group of
-them with as much of its surroundings as it takes, by the regularized distortion of Garanzha et al.,
-<em>Foldover-free maps in 50 lines of code</em>, 2021. Then vertices are moved to weighted means of
-their neighbours, where edges count more the longer they are and the more the surface bends along
+and features. First the vertices are put on the surface, and folded quads are turned back, each
+group of them with as much of its surroundings as it takes, by the regularized distortion of
+Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021. Then vertices are moved to
+weighted means of their neighbours, where edges count more the longer they are and the more the surface bends along
 them. At last the quads' angles are optimized, by Newton steps for one vertex at a time. A move that
 would turn a quad inside out, or over by more than 60 degrees against the surface, is not made.
 Quads that are inverted all the same, or oppose the triangles nearest to their centres, are

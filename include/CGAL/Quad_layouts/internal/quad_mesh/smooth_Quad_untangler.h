@@ -238,7 +238,7 @@ private:
     double length = 0;
     for (const int v : region)
       length += m_quads.edge_length(v) / double(region.size());
-    for (int i = 0; i < number_of_sweeps; ++i) {
+    for (int i = 0; i < number_of_sweeps && m_monitor.has_time("smooth_quad_mesh"); ++i) {
       const double worst = (std::min)(least_determinant(region, length), 0.);
       const Regularized_distortion measure(std::hypot(least_epsilon, 0.2 * worst), area_weight);
       for (const int v : region)
