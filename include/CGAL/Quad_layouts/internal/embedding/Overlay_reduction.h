@@ -32,7 +32,8 @@ public:
   // the first `number_of_originals` vertices are those of the surface
   Overlay_reduction(Embedded_layout& embedded, int number_of_originals, const Monitor& monitor)
     : m_mesh(embedded.mesh), m_is_held(m_mesh.points.size(), 0),
-      m_on_curve(m_mesh.points.size(), 0), m_degree(m_mesh.points.size(), 0)
+      m_is_due(m_mesh.points.size(), 1), m_on_curve(m_mesh.points.size(), 0),
+      m_degree(m_mesh.points.size(), 0)
   {
     std::fill_n(m_is_held.begin(), number_of_originals, 1);
     for (const int v : embedded.vertices)
@@ -58,21 +59,29 @@ private:
     for (int u = 0; u < int(m_is_held.size()); ++u) {
       if (u % 1024 == 0)
         monitor.check("embed");
-      if (!m_is_held[u] && !m_mesh.is_removed(u))
-        if (const int h = best_collapse(u); h >= 0) {
-          collapse(h);
-          any = true;
-        }
+      if (m_is_held[u] || m_mesh.is_removed(u) || !std::exchange(m_is_due[u], 0))
+        continue;
+      if (const int h = best_collapse(u); h >= 0) {
+        collapse(h);
+        any = true;
+      }
     }
     return any;
   }
 
   void collapse(int h)
   {
-    m_degree[m_mesh.target(h)] += m_degree[m_mesh.source(h)] - 4;
-    --m_degree[m_mesh.source(Curve_mesh::prev(h))];
-    --m_degree[m_mesh.source(Curve_mesh::prev(m_mesh.opposite(h)))];
+    const int heir = m_mesh.target(h), left = m_mesh.source(Curve_mesh::prev(h)),
+              right = m_mesh.source(Curve_mesh::prev(m_mesh.opposite(h)));
+    m_degree[heir] += m_degree[m_mesh.source(h)] - 4;
+    --m_degree[left];
+    --m_degree[right];
     m_mesh.collapse(h);
+    // others have the same neighbours as before, with the same degrees and edges between them
+    for (const int v : {heir, left, right}) {
+      m_is_due[v] = 1;
+      m_mesh.for_each_outgoing(v, [this](int g) { m_is_due[m_mesh.target(g)] = 1; });
+    }
   }
 
   // the halfedge along which u should go, -1 if it has to stay
@@ -191,10 +200,12 @@ private:
   }
 
   Curve_mesh& m_mesh;
-  std::vector<char> m_is_held, m_on_curve; // per vertex
-  std::vector<int> m_degree;               // per vertex, with the edge to infinity
-  std::vector<int> m_lines;                // at the present vertex
-  Point m_normal;                          // of the present vertex
+  std::vector<char> m_is_held;  // per vertex
+  std::vector<char> m_is_due;   // per vertex: whether its surroundings have changed since it stayed
+  std::vector<char> m_on_curve; // per vertex
+  std::vector<int> m_degree;    // per vertex, with the edge to infinity
+  std::vector<int> m_lines;     // at the present vertex
+  Point m_normal;               // of the present vertex
 };
 
 } // namespace internal
