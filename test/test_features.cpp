@@ -241,8 +241,23 @@ BOOST_AUTO_TEST_CASE(edges_along_a_limit_cycle)
   for (int n = 0; n < t.number_of_vertices(); ++n)
     singularities += t.index(n) != 0;
   BOOST_TEST(singularities > field.number_of_singularities());
-  BOOST_TEST((QL::internal::Squeezed_singularities(t).arcs_across_strips().empty()));
+  BOOST_TEST((QL::internal::Squeezed_singularities(t).chains_to_fixed_curves().empty()));
   BOOST_TEST((QL::quantize(t).status != QL::Quantization::INFEASIBLE));
+}
+
+// Sharp edges of this mesh end here and there, so that some pieces of them cannot have any length:
+// besides new singularities, it takes other valences of their own ends and corners.
+BOOST_AUTO_TEST_CASE(edges_that_could_have_no_length)
+{
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/femur.off"), mesh)) {
+    BOOST_TEST_MESSAGE("femur.off: skipped");
+    return;
+  }
+  const QL::T_mesh t = QL::trace_motorcycle_graph(QL::compute_cross_field(
+      mesh, parameters::default_values().edge_is_constrained_map(sharp_edges(mesh))));
+  invariants::check_t_mesh(t);
+  BOOST_TEST((QL::internal::Squeezed_singularities(t).chains_to_fixed_curves().empty()));
 }
 
 // Triangles all of whose sides are fixed, with angles that the field would make no quarter-turn in.

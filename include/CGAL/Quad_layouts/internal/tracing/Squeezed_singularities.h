@@ -12,6 +12,7 @@
 #include <CGAL/Quad_layouts/internal/tracing/Dual_graph.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -52,18 +53,12 @@ public:
     return marked > 0;
   }
 
-  // Per chain that is on fixed curves, which nothing but other singularities can separate: the arcs
-  // across the strips that cross it, the nearest first.
-  std::vector<std::vector<int>> arcs_across_strips() const
+  // those that lead along or to fixed curves: nothing but other singularities can separate them
+  std::vector<std::vector<int>> chains_to_fixed_curves() const
   {
     std::vector<std::vector<int>> result;
-    for (const std::vector<int>& chain : m_chains) {
-      if (!touches_fixed_curve(chain))
-        continue;
-      result.emplace_back();
-      for (const int h : crossed(chain, false))
-        result.back().push_back(T_mesh::edge(h));
-    }
+    std::copy_if(m_chains.begin(), m_chains.end(), std::back_inserter(result),
+                 [this](const std::vector<int>& chain) { return touches_fixed_curve(chain); });
     return result;
   }
 

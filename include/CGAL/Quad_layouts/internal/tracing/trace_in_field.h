@@ -8,14 +8,13 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_TRACE_IN_FIELD_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
-#include <CGAL/Quad_layouts/internal/tracing/Dipoles.h>
 #include <CGAL/Quad_layouts/internal/tracing/Field_chords.h>
 #include <CGAL/Quad_layouts/internal/tracing/Squeezed_singularities.h>
 #include <CGAL/Quad_layouts/internal/tracing/Tracing.h>
+#include <CGAL/Quad_layouts/internal/tracing/index_moves.h>
 #include <CGAL/Quad_layouts/internal/tracing/repair_labels.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -35,50 +34,61 @@ public:
 
   T_mesh operator()()
   {
-    T_mesh result = m_tracing.trace(m_labels);
-    while (Squeezed_singularities(result).release(m_tracing.is_hasty()))
-      result = m_tracing.trace(m_labels);
-    separate_fixed_curves(result);
+    T_mesh result = trace_apart();
+    std::vector<Chain> chains = Squeezed_singularities(result).chains_to_fixed_curves();
+    if (!chains.empty() && separate(chains, result))
+      extend_again(chains.size(), result);
     return result;
   }
 
 private:
-  using Arcs = std::vector<int>;
+  using Chain = std::vector<int>; // of arcs
 
-  // Puts singularities between fixed curves that fall together, again and again as long as this
-  // separates some. The graph is not extended from then on: longer traces squeeze more.
-  void separate_fixed_curves(T_mesh& best)
+  // extends traces as far as this does not squeeze singularities
+  T_mesh trace_apart()
   {
-    constexpr int attempts = 40;
-    std::vector<Arcs> strips = Squeezed_singularities(best).arcs_across_strips();
-    m_tracing.stop_extending();
-    for (int i = 0; i < attempts && !strips.empty(); ++i) {
-      const Labels before = m_labels;
-      if (!insert_dipoles(best, strips, i))
-        return;
-      T_mesh other = m_tracing.trace(m_labels);
-      std::vector<Arcs> others = Squeezed_singularities(other).arcs_across_strips();
-      if (others.size() < strips.size()) {
-        best = std::move(other);
-        strips = std::move(others);
-      } else
-        m_labels = before;
-    }
+    T_mesh result = m_tracing.trace(m_labels);
+    while (Squeezed_singularities(result).release(m_tracing.is_hasty()))
+      result = m_tracing.trace(m_labels);
+    return result;
   }
 
-  // The first attempt is made beside the curves, the next ones anywhere on the strips that cross
-  // them: multiples of the golden ratio are spread evenly.
-  bool insert_dipoles(const T_mesh& t_mesh, const std::vector<Arcs>& strips, int attempt)
+  // Separates fixed curves that chains of squeezed arcs join, one chain after another. The graph is
+  // not extended meanwhile: longer traces squeeze more. Returns whether there are fewer chains now.
+  bool separate(std::vector<Chain>& chains, T_mesh& t_mesh)
   {
-    constexpr double golden_ratio = 0.61803398874989485;
-    const double place = attempt * golden_ratio - std::floor(attempt * golden_ratio);
-    Dipoles dipoles(t_mesh, m_labels);
-    bool changed = false;
-    for (Arcs arcs : strips) {
-      std::rotate(arcs.begin(), arcs.begin() + int(place * double(arcs.size())), arcs.end());
-      changed |= dipoles.insert(arcs);
+    const std::size_t number = chains.size();
+    m_tracing.set_extended(false);
+    for (std::size_t hopeless = 0; hopeless < chains.size();)
+      if (!separate(hopeless, chains, t_mesh))
+        ++hopeless;
+    return chains.size() < number;
+  }
+
+  // looks for a move of index after which there is a chain less
+  bool separate(std::size_t i, std::vector<Chain>& chains, T_mesh& t_mesh)
+  {
+    for (const Index_move& move : index_moves_near(t_mesh, chains[i], m_labels)) {
+      move.apply(m_labels);
+      T_mesh other = m_tracing.trace(m_labels);
+      std::vector<Chain> others = Squeezed_singularities(other).chains_to_fixed_curves();
+      if (others.size() < chains.size()) {
+        t_mesh = std::move(other);
+        chains = std::move(others);
+        return true;
+      }
+      move.undo(m_labels);
     }
-    return changed;
+    return false;
+  }
+
+  // extends the graph if there are no more chains then
+  void extend_again(std::size_t number_of_chains, T_mesh& t_mesh)
+  {
+    m_tracing.set_extended(true);
+    T_mesh extended = trace_apart();
+    if (Squeezed_singularities(extended).chains_to_fixed_curves().size() <= number_of_chains)
+      t_mesh = std::move(extended);
   }
 
   Labels m_labels;
