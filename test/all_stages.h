@@ -248,6 +248,7 @@ inline bool run(Task& task, Results& r)
   r.quantization = QL::quantize(r.t_mesh, np.maximum_running_time(task.seconds));
   if (r.quantization.status == QL::Quantization::INFEASIBLE)
     return false;
+  BOOST_TEST(r.quantization.bound <= r.quantization.objective * (1 + 1e-9));
   r.layout = QL::extract_quad_layout(r.t_mesh, r.quantization);
   check_layout(r.t_mesh, r.layout);
   check_clusters(task, r);

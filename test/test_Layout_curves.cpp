@@ -124,6 +124,26 @@ BOOST_AUTO_TEST_CASE(layouts_are_drawn)
     }
 }
 
+// Each unit of the sides ends at a vertex of the surface, although (15 / 26.) * 26 is not 15.
+BOOST_AUTO_TEST_CASE(units_end_where_edges_do)
+{
+  for (const int n : {22, 25, 26}) {
+    const QL::T_mesh t = QL::trace_motorcycle_graph(
+        QL::compute_cross_field(generated::plate_with_holes(1, 1, {}, n)));
+    BOOST_REQUIRE_EQUAL(t.number_of_edges(), 4);
+    QL::Quantization units;
+    units.status = QL::Quantization::FEASIBLE;
+    units.arc_length.assign(4, n);
+    const Quad_layout layout = QL::extract_quad_layout(t, units);
+    const Embedded_layout e =
+        QL::internal::Layout_curves(t, layout, QL::internal::Monitor()).result();
+    check_curves(e, layout);
+    for (int l = 0; l < layout.number_of_edges(); ++l)
+      for (const int end : {layout.source(2 * l), layout.target(2 * l)})
+        BOOST_TEST((!layout.is_fixed(l) || e.vertices[end] < t.surface().number_of_vertices()));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(reduction_keeps_curves_and_surface)
 {
   for (const Embedding_case& c : embedding_cases())

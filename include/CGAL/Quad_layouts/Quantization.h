@@ -32,8 +32,9 @@ struct Quantization
   Status status = INFEASIBLE;
   std::string reason;   ///< why, and where, there is no valid quantization, as far as this is known
   double objective = 0; ///< Equation (9) of \cgalCite{lck-sqlrs-21}
-  double bound = -(
-      std::numeric_limits<double>::infinity)(); ///< no valid quantization is below this
+  /// no valid quantization is below this, unless the shortest path between two close singularities
+  /// gets longer than 10 there, the `Q` of Equation (3), and longer than in this one
+  double bound = -(std::numeric_limits<double>::infinity)();
   int violated = 0; ///< number of soft constraints that had to be given up
   int variables = 0, constraints = 0, indicators = 0; ///< size of the integer program
   int rounds = 0; ///< how often validity cuts were added and the program solved again

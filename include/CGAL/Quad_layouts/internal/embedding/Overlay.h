@@ -28,12 +28,12 @@ namespace internal {
 class Overlay
 {
 public:
-  // a place on the boundary of a patch: the given fraction of the way along a halfedge of the
-  // T-mesh, seen from its left; `halfedge` is -1 inside of patches
+  // a place on the boundary of a patch: on a halfedge of the T-mesh, seen from its left, behind
+  // some of the pieces into which the surface divides that; `halfedge` is -1 inside of patches
   struct Place
   {
     int halfedge = -1;
-    double fraction = 0;
+    int pieces_before = 0, pieces = 1;
   };
 
   explicit Overlay(const T_mesh& t_mesh) : m_t_mesh(t_mesh), m_surface(t_mesh.surface())
@@ -170,8 +170,8 @@ private:
     const bool enters_left = m_surface.halfedge_of_edge(e) == c.halfedge;
     const int left = enters_left ? forward : backward, right = enters_left ? backward : forward;
     m_outgoing[m_first_crossing[e] + c.position] = {along + 2, left, along + 1, right};
-    const double fraction = double(i + 1) / number_of_pieces(a);
-    const Place ahead{2 * a, fraction}, behind{2 * a + 1, 1 - fraction};
+    const int n = number_of_pieces(a);
+    const Place ahead{2 * a, i + 1, n}, behind{2 * a + 1, n - i - 1, n};
     const Place left_of_left = enters_left ? ahead : behind;
     const Place right_of_left = enters_left ? behind : ahead;
     CGAL_assertion(left_of_left.halfedge == m_t_mesh.edge_crossings[e][c.position]);
@@ -196,7 +196,7 @@ private:
   void leave_along_arc(int v, int h)
   {
     m_outgoing[v].push_back(first_half_of_arc(h));
-    m_half[first_half_of_arc(h)].place = {h, 0.};
+    m_half[first_half_of_arc(h)].place = {h};
   }
 
   void order_around_surface_vertices()
@@ -213,7 +213,7 @@ private:
         if (arc_from(h) >= 0)
           last_arc = arc_from(h);
         m_outgoing[v].push_back(first_half(h));
-        m_half[first_half(h)].place = {last_arc, 0.};
+        m_half[first_half(h)].place = {last_arc};
         for (const int arc : m_t_mesh.corner_arcs[h]) {
           leave_along_arc(v, arc);
           last_arc = arc;
@@ -236,9 +236,11 @@ private:
   // of the vertices of the surface that lie inside of arcs
   void place_on_arcs_along_edges()
   {
-    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a)
-      for (std::size_t i = 1; i < m_halves_along[a].size(); ++i)
-        m_half[m_halves_along[a][i]].place = {2 * a, double(i) / double(m_halves_along[a].size())};
+    for (int a = 0; a < m_t_mesh.number_of_edges(); ++a) {
+      const int n = int(m_halves_along[a].size());
+      for (int i = 1; i < n; ++i)
+        m_half[m_halves_along[a][i]].place = {2 * a, i, n};
+    }
   }
 
   // pieces lie on the left: what arrives goes on along the next one clockwise

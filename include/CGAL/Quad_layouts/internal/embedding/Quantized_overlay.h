@@ -159,15 +159,17 @@ private:
   void place_on_arcs(const std::vector<Overlay::Place>& place)
   {
     m_start.resize(m_t_mesh.number_of_halfedges());
-    for (int h = 0; h < int(place.size()); ++h)
-      if (place[h].halfedge >= 0 && place[h].fraction == 0) {
-        m_start[place[h].halfedge] = m_mesh.source(h);
+    for (int h = 0; h < int(place.size()); ++h) {
+      const auto [halfedge, pieces_before, pieces] = place[h];
+      if (halfedge >= 0 && pieces_before == 0) {
+        m_start[halfedge] = m_mesh.source(h);
         m_is_node[m_mesh.source(h)] = 1;
-        m_layout_vertex[m_mesh.source(h)] =
-            m_layout.node_vertex[m_t_mesh.source(place[h].halfedge)];
-      } else if (place[h].halfedge >= 0 && place[h].halfedge % 2 == 0)
-        place_on_arc(m_mesh.source(h), place[h].halfedge / 2,
-                     place[h].fraction * length(place[h].halfedge));
+        m_layout_vertex[m_mesh.source(h)] = m_layout.node_vertex[m_t_mesh.source(halfedge)];
+      } else if (halfedge >= 0 && halfedge % 2 == 0)
+        // a quotient of integers: it is an integer if and only if one divides the other
+        place_on_arc(m_mesh.source(h), halfedge / 2,
+                     double(pieces_before) * length(halfedge) / pieces);
+    }
   }
 
   void place_on_arc(int v, int arc, double along)

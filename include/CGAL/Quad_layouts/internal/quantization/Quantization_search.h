@@ -65,7 +65,7 @@ public:
   Quantization run()
   {
     if (m_incumbent.start() || find_first_solution()) {
-      report();
+      report_improvement();
       exchange_loops();
       make_index_rows_lazy_if_many(m_program);
       solve_relaxation();
@@ -115,6 +115,15 @@ private:
     m_monitor.improved(m_incumbent.objective() + lost, m_bound + lost, m_timer.time());
   }
 
+  // Bounds hold for solutions with short paths, see Box::longest_path, or with paths as long as the
+  // best one had. Better ones with longer paths refute them.
+  void report_improvement()
+  {
+    if (m_incumbent.objective() < m_bound)
+      m_bound = 0;
+    report();
+  }
+
   Search_effort effort(int nodes, double share_of_time, double gap = 0.001) const
   {
     return {(std::min)(seconds_left(), share_of_time * m_options.seconds), nodes, gap,
@@ -129,7 +138,7 @@ private:
     m_monitor.check("quantize");
     improved = !solution.x.empty() && incumbent.improve_by(rounded(solution.x));
     if (improved && &incumbent == &m_incumbent)
-      report();
+      report_improvement();
     return solution;
   }
 
@@ -203,8 +212,9 @@ private:
     constexpr double least_gain = 0.0005;
     const Box everything = whole_program(Box::Rows::EXACT);
     for (double previous = 0;;) {
-      Box_solution solution = solve_in_box<Traits>(
-          m_program, everything, {}, effort(nodes_of_relaxation(), 0.1), Domain::REALS);
+      Box_solution solution = solve_in_box<Traits>(m_program, everything, m_incumbent.values(),
+                                                   effort(nodes_of_relaxation(), 0.1),
+                                                   Domain::REALS);
       m_monitor.check("quantize");
       if (solution.x.empty())
         return;
@@ -246,7 +256,7 @@ private:
       if (m_exchange.step(slack * m_incumbent.objective()) &&
           m_exchange.objective() < m_incumbent.objective() &&
           m_incumbent.improve_by(m_exchange.values())) {
-        report();
+        report_improvement();
         failures = 0;
       }
     }
@@ -300,7 +310,7 @@ private:
         between.low[v] = between.high[v] = x;
     bool improved = m_incumbent.improve_by(other.values());
     if (improved)
-      report();
+      report_improvement();
     search(between, effort(nodes, small_share), improved);
   }
 
