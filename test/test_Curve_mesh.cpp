@@ -147,4 +147,41 @@ BOOST_AUTO_TEST_CASE(collapses_keep_curves)
   BOOST_TEST(length() == std::count(mesh.curve.begin(), mesh.curve.end(), 1));
 }
 
+// Beyond the border are triangles with a vertex at infinity, until they are removed.
+BOOST_AUTO_TEST_CASE(the_outside)
+{
+  Curve_mesh mesh = curve_mesh_of(generated::plate_with_holes(3, 3, {{1, 1}}, 2));
+  const int vertices = int(mesh.points.size()), faces = int(mesh.triangles().size());
+  for (int h = 0; h < 200; ++h)
+    if (mesh.source(h) < vertices && mesh.target(h) < vertices)
+      mesh.split(h);
+  for (int u = int(mesh.points.size()) - 1; u >= vertices; --u)
+    for (const int h : mesh.outgoing(u))
+      if (mesh.target(h) < vertices && !mesh.is_removed(u) &&
+          (mesh.border_halfedge_from(u) < 0 || mesh.is_border_edge(h)) &&
+          common_neighbours(mesh, u, mesh.target(h)) == (mesh.is_border_edge(h) ? 1 : 2)) {
+        mesh.collapse(h);
+        break;
+      }
+  mesh.compact();
+  BOOST_TEST(int(mesh.points.size()) == vertices);
+  int outer = 0, wrong = 0;
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
+    outer += mesh.is_outer(h);
+    wrong += mesh.source(h) < 0 || mesh.source(h) >= vertices;
+    wrong += mesh.opposite(mesh.opposite(h)) != h ||
+             mesh.source(mesh.opposite(h)) != mesh.target(h);
+  }
+  BOOST_TEST(outer == 3 * 32); // of 24 edges around the plate, 8 around its hole
+  BOOST_TEST(wrong == 0);
+  mesh.remove_outside();
+  mesh.compact();
+  BOOST_TEST(mesh.infinite_vertex() == -1);
+  const Triangle_surface surface(mesh.points, mesh.triangles());
+  BOOST_TEST(surface.number_of_faces() == faces);
+  BOOST_TEST(surface.number_of_vertices() == vertices - 1);
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    BOOST_TEST(mesh.opposite(h) == surface.opposite(h));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

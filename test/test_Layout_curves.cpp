@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(reduction_keeps_curves_and_surface)
       Embedded_layout e = drawn(c);
       const auto before = e.mesh.points.size();
       const Triangle_surface& surface = c.t_mesh.surface();
-      QL::internal::Overlay_reduction(e, surface.number_of_vertices(), QL::internal::Monitor());
+      QL::internal::reduce(e, surface.number_of_vertices(), QL::internal::Monitor());
       BOOST_TEST(e.mesh.points.size() < before);
       check_curves(e, c.layout);
       check_regions(e, c.layout);

@@ -72,7 +72,7 @@ void check_curves(const Result& r)
       parameters::visitor(std::ref(visitor)));
   QL::internal::Embedded_layout embedded =
       QL::internal::Layout_curves(r.t_mesh, r.layout, monitor).result();
-  QL::internal::Overlay_reduction(embedded, r.t_mesh.surface().number_of_vertices(), monitor);
+  QL::internal::reduce(embedded, r.t_mesh.surface().number_of_vertices(), monitor);
   QL::internal::check_embedded_layout(embedded, r.layout); // throws
 }
 

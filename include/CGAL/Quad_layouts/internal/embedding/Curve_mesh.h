@@ -72,13 +72,10 @@ public:
   template <class Visit>
   void for_each_outgoing(int v, Visit&& visit) const
   {
-    int h = m_vertex_halfedge[v];
-    if (h >= 0)
-      do {
-        if (target(h) != m_infinite_vertex)
-          visit(h);
-        h = m_opposite[prev(h)];
-      } while (h >= 0 && h != m_vertex_halfedge[v]);
+    for_each_around(v, [&](int h) {
+      if (target(h) != m_infinite_vertex)
+        visit(h);
+    });
   }
 
   // the halfedge on the border that leaves v, with the surface on its left; -1 if v is not on the
@@ -143,44 +140,56 @@ public:
   void collapse(int h)
   {
     const int u = m_source[h], v = target(h), twin = m_opposite[h];
-    for_each_outgoing(u, [&](int g) { m_source[g] = v; });
+    for_each_around(u, [&](int g) { m_source[g] = v; });
     m_vertex_halfedge[u] = -1;
     m_vertex_halfedge[v] = close(next(h), prev(h));
     m_vertex_halfedge[m_source[m_opposite[next(twin)]]] = m_opposite[next(twin)];
     close(next(twin), prev(twin));
-    for (const int g : {3 * (h / 3), 3 * (twin / 3)})
-      for (int k = 0; k < 3; ++k) {
-        m_source[g + k] = curve[g + k] = -1;
-        is_original[g + k] = is_fixed[g + k] = 0;
-      }
+    remove_face(h);
+    remove_face(twin);
   }
 
-  // Gives new numbers, in the old order, to the vertices and faces that are left, without those
-  // beyond the border: from now on, the opposite of a halfedge on the border is -1. Returns the new
-  // numbers of the vertices, -1 for removed ones.
+  // Removes what lies beyond the border: from now on, the opposite of a halfedge on it is -1.
+  void remove_outside()
+  {
+    for (int v = 0; v < int(points.size()); ++v)
+      if (const int h = is_removed(v) ? -1 : border_halfedge_from(v); h >= 0)
+        m_vertex_halfedge[v] = h;
+    for (int h = 0; h < number_of_halfedges(); ++h)
+      if (is_outer(h) && !is_outer(m_opposite[h]))
+        m_opposite[m_opposite[h]] = -1;
+    for (int h = 0; h < number_of_halfedges(); h += 3)
+      if (is_outer(h))
+        remove_face(h);
+    if (m_infinite_vertex >= 0)
+      m_vertex_halfedge[std::exchange(m_infinite_vertex, -1)] = -1;
+  }
+
+  // Gives new numbers, in the old order, to the vertices and faces that are left. Returns those of
+  // the vertices, -1 for removed ones.
   std::vector<int> compact()
   {
     std::vector<int> new_vertex(points.size(), -1), new_halfedge(m_source.size(), -1);
     int vertices = 0, halfedges = 0;
     for (int v = 0; v < int(points.size()); ++v)
-      if (!is_removed(v) && v != m_infinite_vertex) {
-        const int on_border = border_halfedge_from(v);
+      if (!is_removed(v)) {
         new_vertex[v] = vertices++;
         points[new_vertex[v]] = points[v];
-        m_vertex_halfedge[new_vertex[v]] = on_border < 0 ? m_vertex_halfedge[v] : on_border;
+        m_vertex_halfedge[new_vertex[v]] = m_vertex_halfedge[v];
       }
     for (int h = 0; h < number_of_halfedges(); ++h)
-      if (m_source[h] >= 0 && !is_outer(h))
+      if (m_source[h] >= 0)
         new_halfedge[h] = halfedges++;
     for (int h = 0; h < number_of_halfedges(); ++h)
       if (const int g = new_halfedge[h]; g >= 0) {
         m_source[g] = new_vertex[m_source[h]];
-        m_opposite[g] = new_halfedge[m_opposite[h]];
+        m_opposite[g] = m_opposite[h] < 0 ? -1 : new_halfedge[m_opposite[h]];
         curve[g] = curve[h];
         is_original[g] = is_original[h];
         is_fixed[g] = is_fixed[h];
       }
-    m_infinite_vertex = -1;
+    if (m_infinite_vertex >= 0)
+      m_infinite_vertex = new_vertex[m_infinite_vertex];
     points.resize(vertices);
     m_vertex_halfedge.resize(vertices);
     for (int& h : m_vertex_halfedge)
@@ -199,6 +208,17 @@ public:
   std::vector<char> is_fixed;    // per halfedge: whether this edge is fixed
 
 private:
+  template <class Visit>
+  void for_each_around(int v, Visit&& visit) const
+  {
+    int h = m_vertex_halfedge[v];
+    if (h >= 0)
+      do {
+        visit(h);
+        h = m_opposite[prev(h)];
+      } while (h >= 0 && h != m_vertex_halfedge[v]);
+  }
+
   void add_outer_triangles(const Triangle_surface& surface)
   {
     std::vector<int> outer(surface.number_of_halfedges(), -1);
@@ -255,6 +275,15 @@ private:
     m_vertex_halfedge[m_source[p]] = keep_target ? first + 2 : p;
     m_source[keep_target ? h : n] = m;
     return first;
+  }
+
+  // removes the face of h; what lies around it is not told
+  void remove_face(int h)
+  {
+    for (int g = 3 * (h / 3), k = 0; k < 3; ++g, ++k) {
+      m_source[g] = curve[g] = -1;
+      is_original[g] = is_fixed[g] = 0;
+    }
   }
 
   // joins what lies behind two sides of a face; returns what was behind the second

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/embedding/Embedded_layout.h>
 #include <CGAL/Quad_layouts/internal/embedding/Grid_lines.h>
+#include <CGAL/Quad_layouts/internal/embedding/Overlay_reduction.h>
 #include <CGAL/Quad_layouts/internal/embedding/Quantized_overlay.h>
 #include <CGAL/Quad_layouts/internal/embedding/preimages.h>
 
@@ -35,7 +36,7 @@ namespace internal {
 // edges go to one vertex in the middle, which is on a fixed curve if there is one in the disc; then
 // the edges on fixed curves come first and stay there. That is always possible, because paths to a
 // common point never separate a disc into parts that are out of its reach, as long as the mesh has
-// room beside them: which splits make.
+// room beside them: which splits make where it has not.
 class Layout_curves
 {
 public:
@@ -50,6 +51,8 @@ public:
     std::vector<int> curves = chosen_curves(overlay);
     m_mesh = overlay.release_mesh();
     m_mesh.curve = std::move(curves);
+    reduce(monitor);
+    place_discs();
     make_rims();
     find_exits();
     for (int v = 0; v < layout.number_of_vertices(); ++v) {
@@ -147,6 +150,23 @@ private:
         overlay.split(h);
         m_owner.push_back(-1);
       }
+  }
+
+  // takes away what the curves do not need, before they get more company; preimages stay apart
+  void reduce(const Monitor& monitor)
+  {
+    reduce_overlay(m_mesh, m_t_mesh.surface().number_of_vertices(), m_vertex, m_owner, monitor);
+    const std::vector<int> number = m_mesh.compact();
+    for (int v = 0; v < int(number.size()); ++v)
+      if (number[v] >= 0)
+        m_owner[number[v]] = m_owner[v];
+    m_owner.resize(m_mesh.points.size());
+    for (int& v : m_vertex)
+      v = number[v];
+  }
+
+  void place_discs()
+  {
     for (const int owner : m_owner)
       m_place.push_back(owner >= 0 ? INSIDE : OUTSIDE);
   }
@@ -186,7 +206,7 @@ private:
   void connect(int v)
   {
     m_place[m_vertex[v]] = PATH;
-    make_room({m_vertex[v]});
+    m_on_paths = {m_vertex[v]};
     const int first = m_layout.halfedge_from(v);
     const auto for_each_edge = [&](const auto& action) {
       int l = first;
@@ -205,44 +225,49 @@ private:
   // leads layout halfedge l, which begins at v, from the rim to the middle
   void connect(int v, int l)
   {
-    std::vector<int> vertices{m_vertex[v]};
-    for (const int h : path_to(m_vertex[v], m_exit[l], v, is_fixed(l))) {
+    std::vector<int> path = path_to(v, l);
+    if (path.empty()) {
+      make_room();
+      path = path_to(v, l);
+    }
+    if (path.empty())
+      throw Stage_failure("embed: layout vertex " + std::to_string(v) + " cannot be connected");
+    for (const int h : path) {
       m_mesh.curve[h] = l;
       m_mesh.curve[m_mesh.opposite(h)] = l ^ 1;
-      vertices.push_back(m_mesh.target(h));
-      m_place[vertices.back()] = PATH;
+      m_on_paths.push_back(m_mesh.target(h));
+      m_place[m_on_paths.back()] = PATH;
     }
-    make_room(vertices);
   }
 
-  // the halfedges of a shortest path through free vertices of the disc, along fixed edges only if
-  // `is_fixed`
-  std::vector<int> path_to(int from, int to, int v, bool is_fixed)
+  // the halfedges of a shortest path from the middle to where l begins on the rim, through free
+  // vertices of the disc; along fixed edges if l is fixed. Empty if there is none.
+  std::vector<int> path_to(int v, int l)
   {
     m_reached_by.resize(m_place.size(), -1);
+    const int from = m_vertex[v], to = m_exit[l];
     std::vector<int> queue{from}, path;
-    for (std::size_t i = 0; i < queue.size(); ++i)
+    for (std::size_t i = 0; i < queue.size() && (to < 0 || m_reached_by[to] < 0); ++i)
       for (const int h : m_mesh.outgoing(queue[i]))
         if (const int w = m_mesh.target(h); m_reached_by[w] < 0 &&
                                             (w == to || (is_inside(w) && m_owner[w] == v)) &&
-                                            (!is_fixed || m_mesh.is_fixed[h])) {
+                                            (!is_fixed(l) || m_mesh.is_fixed[h])) {
           m_reached_by[w] = h;
           queue.push_back(w);
         }
-    if (to < 0 || m_reached_by[to] < 0)
-      throw Stage_failure("embed: layout vertex " + std::to_string(v) + " cannot be connected");
-    for (int w = to; w != from; w = m_mesh.source(path.back()))
-      path.push_back(m_reached_by[w]);
+    if (to >= 0 && m_reached_by[to] >= 0)
+      for (int w = to; w != from; w = m_mesh.source(path.back()))
+        path.push_back(m_reached_by[w]);
     std::reverse(path.begin(), path.end());
     for (const int w : queue)
       m_reached_by[w] = -1;
     return path;
   }
 
-  // splits all edges of the disc that end on a path: then there is a way along both its sides
-  void make_room(const std::vector<int>& path)
+  // splits all edges of the disc that end on its paths: then there is a way along both their sides
+  void make_room()
   {
-    for (const int v : path)
+    for (const int v : m_on_paths)
       for (const int h : m_mesh.outgoing(v)) {
         const int w = m_mesh.target(h);
         const bool is_in_disc = m_owner[w] == m_owner[v] && !(is_on_rim(v) && is_on_rim(w));
@@ -282,6 +307,7 @@ private:
   std::vector<Place> m_place;    // per vertex of the mesh
   std::vector<int> m_vertex;     // per layout vertex
   std::vector<int> m_exit;       // per layout halfedge
+  std::vector<int> m_on_paths;   // the vertices on paths in the present disc
   std::vector<int> m_reached_by; // scratch of `path_to`
 };
 

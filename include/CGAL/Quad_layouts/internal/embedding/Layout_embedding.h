@@ -100,7 +100,7 @@ public:
   {
     Embedded_layout embedded = Layout_curves(m_t_mesh, m_layout, m_monitor).result();
     m_monitor.report("embed", 0.2);
-    Overlay_reduction(embedded, m_t_mesh.surface().number_of_vertices(), m_monitor);
+    reduce(embedded, m_t_mesh.surface().number_of_vertices(), m_monitor);
     check_embedded_layout(embedded, m_layout);
     m_monitor.report("embed", 0.3);
     const std::vector<Cone> cones = choose_cones(m_layout, embedded.vertices);

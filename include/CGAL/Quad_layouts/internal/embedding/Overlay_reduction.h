@@ -20,24 +20,21 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Removes from the overlay of a surface and a T-mesh the vertices that are needed for neither the
-// surface nor the curves on it, by half-edge collapses.
+// Removes from the overlay of a surface and curves the vertices that are needed for neither, by
+// half-edge collapses.
 //
 // The mesh remains a refinement of the surface: vertices on edges of the surface move along these,
 // vertices on curves along those, others stay in their face of the surface. As everywhere, no edge
-// other than those of the curves joins two vertices of curves.
+// other than those of the curves joins two vertices of curves, unless it did so before. A vertex
+// takes in others of its own group only.
 class Overlay_reduction
 {
 public:
-  // the first `number_of_originals` vertices are those of the surface
-  Overlay_reduction(Embedded_layout& embedded, int number_of_originals, const Monitor& monitor)
-    : m_mesh(embedded.mesh), m_is_held(m_mesh.points.size(), 0),
-      m_is_due(m_mesh.points.size(), 1), m_on_curve(m_mesh.points.size(), 0),
-      m_degree(m_mesh.points.size(), 0)
+  // Vertices that are held stay. `group` is per vertex.
+  Overlay_reduction(Curve_mesh& mesh, std::vector<char> is_held, const std::vector<int>& group)
+    : m_mesh(mesh), m_is_held(std::move(is_held)), m_group(group), m_is_due(mesh.points.size(), 1),
+      m_on_curve(mesh.points.size(), 0), m_degree(mesh.points.size(), 0)
   {
-    std::fill_n(m_is_held.begin(), number_of_originals, 1);
-    for (const int v : embedded.vertices)
-      m_is_held[v] = 1;
     if (m_mesh.infinite_vertex() >= 0)
       m_is_held[m_mesh.infinite_vertex()] = 1;
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h) {
@@ -45,11 +42,12 @@ public:
       if (m_mesh.curve[h] >= 0)
         m_on_curve[m_mesh.source(h)] = 1;
     }
+  }
+
+  void operator()(const Monitor& monitor)
+  {
     while (remove_some(monitor))
       ;
-    const std::vector<int> new_number = m_mesh.compact();
-    for (int& v : embedded.vertices)
-      v = new_number[v];
   }
 
 private:
@@ -69,19 +67,15 @@ private:
     return any;
   }
 
+  // Others than the neighbours of the source keep their neighbours, and what hinders them, but for
+  // the edges between these, which get more.
   void collapse(int h)
   {
-    const int heir = m_mesh.target(h), left = m_mesh.source(Curve_mesh::prev(h)),
-              right = m_mesh.source(Curve_mesh::prev(m_mesh.opposite(h)));
-    m_degree[heir] += m_degree[m_mesh.source(h)] - 4;
-    --m_degree[left];
-    --m_degree[right];
+    m_mesh.for_each_outgoing(m_mesh.source(h), [this](int g) { m_is_due[m_mesh.target(g)] = 1; });
+    m_degree[m_mesh.target(h)] += m_degree[m_mesh.source(h)] - 4;
+    --m_degree[m_mesh.source(Curve_mesh::prev(h))];
+    --m_degree[m_mesh.source(Curve_mesh::prev(m_mesh.opposite(h)))];
     m_mesh.collapse(h);
-    // others have the same neighbours as before, with the same degrees and edges between them
-    for (const int v : {heir, left, right}) {
-      m_is_due[v] = 1;
-      m_mesh.for_each_outgoing(v, [this](int g) { m_is_due[m_mesh.target(g)] = 1; });
-    }
   }
 
   // the halfedge along which u should go, -1 if it has to stay
@@ -136,7 +130,7 @@ private:
   // them would be inverted. Degenerate ones have no direction.
   double quality_without(int h)
   {
-    if (feeds_hub(h) || !keeps_manifold(h) || adds_chord(h))
+    if (leaves_group(h) || feeds_hub(h) || adds_chord(h) || !keeps_manifold(h))
       return forbidden;
     double worst = 1;
     const int u = m_mesh.source(h), v = m_mesh.target(h);
@@ -159,6 +153,8 @@ private:
   {
     return {m_mesh.points[m_mesh.target(g)], m_mesh.points[m_mesh.source(Curve_mesh::prev(g))]};
   }
+
+  bool leaves_group(int h) const { return m_group[m_mesh.source(h)] != m_group[m_mesh.target(h)]; }
 
   // Vertices of many edges would take a time that is quadratic in their number.
   bool feeds_hub(int h) const
@@ -200,13 +196,39 @@ private:
   }
 
   Curve_mesh& m_mesh;
-  std::vector<char> m_is_held;  // per vertex
+  std::vector<char> m_is_held;     // per vertex
+  const std::vector<int>& m_group; // per vertex
   std::vector<char> m_is_due;   // per vertex: whether its surroundings have changed since it stayed
   std::vector<char> m_on_curve; // per vertex
   std::vector<int> m_degree;    // per vertex, with the edge to infinity
   std::vector<int> m_lines;     // at the present vertex
   Point m_normal;               // of the present vertex
 };
+
+// Reduces the overlay of a surface, of which the first vertices are those of the surface. Besides
+// these, only those in `held` are held.
+inline void reduce_overlay(Curve_mesh& mesh, int number_of_originals, const std::vector<int>& held,
+                           const std::vector<int>& group, const Monitor& monitor)
+{
+  std::vector<char> is_held(mesh.points.size(), 0);
+  std::fill_n(is_held.begin(), number_of_originals, 1);
+  for (const int v : held)
+    is_held[v] = 1;
+  Overlay_reduction(mesh, std::move(is_held), group)(monitor);
+}
+
+// Reduces the mesh on which a layout is drawn to what shows the surface and the layout, and removes
+// what lies beyond the border.
+inline void reduce(Embedded_layout& embedded, int number_of_originals, const Monitor& monitor)
+{
+  Curve_mesh& mesh = embedded.mesh;
+  reduce_overlay(mesh, number_of_originals, embedded.vertices,
+                 std::vector<int>(mesh.points.size(), 0), monitor);
+  mesh.remove_outside();
+  const std::vector<int> number = mesh.compact();
+  for (int& v : embedded.vertices)
+    v = number[v];
+}
 
 } // namespace internal
 } // namespace Quad_layouts
