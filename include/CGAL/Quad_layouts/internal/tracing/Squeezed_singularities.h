@@ -62,6 +62,18 @@ public:
     return result;
   }
 
+  // per one of these chains the arcs across the strips that cross it, the nearest first
+  std::vector<std::vector<int>> arcs_across_strips() const
+  {
+    std::vector<std::vector<int>> result;
+    for (const std::vector<int>& chain : chains_to_fixed_curves()) {
+      result.emplace_back();
+      for (const int h : crossed(chain, false))
+        result.back().push_back(T_mesh::edge(h));
+    }
+    return result;
+  }
+
   // says where the first of them is, nothing if there are none
   std::string first_place() const
   {

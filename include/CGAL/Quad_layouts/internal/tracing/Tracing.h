@@ -84,12 +84,8 @@ public:
 
   // the traces that are to stop at the first one that they meet
   std::vector<char>& is_hasty() { return m_is_hasty; }
-  // otherwise all do so; forgets which are to, as they will not be numbered as before
-  void set_extended(bool is_extended)
-  {
-    m_rule.is_extended = is_extended;
-    m_is_hasty.clear();
-  }
+  // lets all do so
+  void stop_extending() { m_rule.is_extended = false; }
 
 private:
   std::shared_ptr<const Triangle_surface> m_surface;

@@ -8,12 +8,15 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_TRACING_TRACE_IN_FIELD_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/internal/tracing/Dipoles.h>
 #include <CGAL/Quad_layouts/internal/tracing/Field_chords.h>
 #include <CGAL/Quad_layouts/internal/tracing/Squeezed_singularities.h>
 #include <CGAL/Quad_layouts/internal/tracing/Tracing.h>
 #include <CGAL/Quad_layouts/internal/tracing/index_moves.h>
 #include <CGAL/Quad_layouts/internal/tracing/repair_labels.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -36,8 +39,8 @@ public:
   {
     T_mesh result = trace_apart();
     std::vector<Chain> chains = Squeezed_singularities(result).chains_to_fixed_curves();
-    if (!chains.empty() && separate(chains, result))
-      extend_again(chains.size(), result);
+    if (!chains.empty())
+      separate(chains, result);
     return result;
   }
 
@@ -53,42 +56,69 @@ private:
     return result;
   }
 
-  // Separates fixed curves that chains of squeezed arcs join, one chain after another. The graph is
-  // not extended meanwhile: longer traces squeeze more. Returns whether there are fewer chains now.
-  bool separate(std::vector<Chain>& chains, T_mesh& t_mesh)
+  // Separates fixed curves that chains of squeezed arcs join. The graph is not extended from then
+  // on: longer traces squeeze more.
+  void separate(std::vector<Chain>& chains, T_mesh& t_mesh)
   {
-    const std::size_t number = chains.size();
-    m_tracing.set_extended(false);
+    m_tracing.stop_extending();
+    insert_dipoles(chains, t_mesh);
     for (std::size_t hopeless = 0; hopeless < chains.size();)
-      if (!separate(hopeless, chains, t_mesh))
+      if (!move_index_near(hopeless, chains, t_mesh))
         ++hopeless;
-    return chains.size() < number;
   }
 
-  // looks for a move of index after which there is a chain less
-  bool separate(std::size_t i, std::vector<Chain>& chains, T_mesh& t_mesh)
+  // Puts pairs of singularities on the strips across all chains, again and again as long as that
+  // separates some.
+  void insert_dipoles(std::vector<Chain>& chains, T_mesh& t_mesh)
+  {
+    constexpr int attempts = 40;
+    for (int i = 0; i < attempts && !chains.empty(); ++i) {
+      const Labels before = m_labels;
+      if (!insert_dipoles(t_mesh, i))
+        return;
+      if (!trace_better(chains, t_mesh))
+        m_labels = before;
+    }
+  }
+
+  // The first attempt is made beside the curves, the next ones anywhere on the strips that cross
+  // them: multiples of the golden ratio are spread evenly.
+  bool insert_dipoles(const T_mesh& t_mesh, int attempt)
+  {
+    constexpr double golden_ratio = 0.61803398874989485;
+    const double place = attempt * golden_ratio - std::floor(attempt * golden_ratio);
+    Dipoles dipoles(t_mesh, m_labels);
+    bool changed = false;
+    for (std::vector<int>& arcs : Squeezed_singularities(t_mesh).arcs_across_strips()) {
+      std::rotate(arcs.begin(), arcs.begin() + int(place * double(arcs.size())), arcs.end());
+      changed |= dipoles.insert(arcs);
+    }
+    return changed;
+  }
+
+  // traces what the labels are now, and keeps that if there are fewer chains; says if so
+  bool trace_better(std::vector<Chain>& chains, T_mesh& t_mesh)
+  {
+    T_mesh other = m_tracing.trace(m_labels);
+    std::vector<Chain> others = Squeezed_singularities(other).chains_to_fixed_curves();
+    if (others.size() >= chains.size())
+      return false;
+    t_mesh = std::move(other);
+    chains = std::move(others);
+    return true;
+  }
+
+  // Looks for a move of index near a chain, which may change singularities and corners that are
+  // there, after which there is a chain less; says if there is one.
+  bool move_index_near(std::size_t i, std::vector<Chain>& chains, T_mesh& t_mesh)
   {
     for (const Index_move& move : index_moves_near(t_mesh, chains[i], m_labels)) {
       move.apply(m_labels);
-      T_mesh other = m_tracing.trace(m_labels);
-      std::vector<Chain> others = Squeezed_singularities(other).chains_to_fixed_curves();
-      if (others.size() < chains.size()) {
-        t_mesh = std::move(other);
-        chains = std::move(others);
+      if (trace_better(chains, t_mesh))
         return true;
-      }
       move.undo(m_labels);
     }
     return false;
-  }
-
-  // extends the graph if there are no more chains then
-  void extend_again(std::size_t number_of_chains, T_mesh& t_mesh)
-  {
-    m_tracing.set_extended(true);
-    T_mesh extended = trace_apart();
-    if (Squeezed_singularities(extended).chains_to_fixed_curves().size() <= number_of_chains)
-      t_mesh = std::move(extended);
   }
 
   Labels m_labels;
