@@ -91,7 +91,6 @@ public:
   {
     m_sectors.clear();
     m_edges.clear();
-    m_least_quality = 1;
   }
 
   // adds a quad whose corner 0 is the vertex; its side from corner 0 to corner 1 is an edge of the
@@ -99,8 +98,7 @@ public:
   void add(const Quad_on_surface& q)
   {
     const auto& n = q.normals;
-    m_sectors.emplace_back(q, (n[0] + n[1] + n[2] + n[3]).normalized(), 1.);
-    m_least_quality = (std::min)(m_least_quality, m_sectors.back().quality);
+    m_sectors.push_back({q, (n[0] + n[1] + n[2] + n[3]).normalized(), 1., 1.});
   }
 
   // adds an edge that is the first side of no quad, because it is on the border
@@ -154,6 +152,16 @@ public:
     for (const Edge& e : m_edges)
       sum += e.weight * e.end;
     return sum / number_of_edges();
+  }
+
+  // notes how good the quads are, for `permits()`
+  void assess()
+  {
+    m_least_quality = 1;
+    for (Sector& s : m_sectors) {
+      s.quality = quality(s.quad, s.normals);
+      m_least_quality = (std::min)(m_least_quality, s.quality);
+    }
   }
 
   // Says if each quad stays as good as it is, or at least sufficiently good, when the vertex moves
@@ -213,11 +221,6 @@ private:
 
   struct Sector : Quad_on_surface
   {
-    Sector(const Quad_on_surface& q, const Vector& mean_normal, double weight)
-      : Quad_on_surface(q), mean_normal(mean_normal), weight(weight),
-        quality(internal::quality(q.quad, q.normals))
-    {
-    }
     Quad moved_to(const Vector& x) const { return {x, quad[1], quad[2], quad[3]}; }
 
     Vector mean_normal;

@@ -36,6 +36,7 @@ public:
   void relax(int v)
   {
     m_quads.gather_star(v, m_star);
+    m_star.assess();
     try_move(v, centre_of_neighbours(v) - m_star.position(),
              [this](const Vector& x) { return m_star.permits(x); });
   }
@@ -47,6 +48,7 @@ public:
     const double l2 = m_star.squared_edge_length();
     if (!(l2 > 0))
       return;
+    m_star.assess();
     const double spring = spring_weight / l2, before = m_star.energy(m_star.position(), spring);
     const auto energy = [&](const Vector& x) { return m_star.energy(x, spring); };
     try_move(v, newton_step(v, energy, std::sqrt(l2)),
