@@ -23,7 +23,7 @@ every patch are equally long, and the evidence of how good it is.
 struct Quantization
 {
   enum Status {
-    OPTIMAL,   ///< proven to have the least objective
+    OPTIMAL,   ///< proven, by `bound`, to have the least objective
     FEASIBLE,  ///< valid, but a better one may exist: the search ended at its limit of time or work
     INFEASIBLE ///< no valid quantization was found; `arc_length` is empty
   };

@@ -206,7 +206,7 @@ private:
   void connect(int v)
   {
     m_place[m_vertex[v]] = PATH;
-    m_on_paths = {m_vertex[v]};
+    m_without_room = {m_vertex[v]};
     const int first = m_layout.halfedge_from(v);
     const auto for_each_edge = [&](const auto& action) {
       int l = first;
@@ -235,8 +235,8 @@ private:
     for (const int h : path) {
       m_mesh.curve[h] = l;
       m_mesh.curve[m_mesh.opposite(h)] = l ^ 1;
-      m_on_paths.push_back(m_mesh.target(h));
-      m_place[m_on_paths.back()] = PATH;
+      m_without_room.push_back(m_mesh.target(h));
+      m_place[m_mesh.target(h)] = PATH;
     }
   }
 
@@ -244,10 +244,12 @@ private:
   // vertices of the disc; along fixed edges if l is fixed. Empty if there is none.
   std::vector<int> path_to(int v, int l)
   {
-    m_reached_by.resize(m_place.size(), -1);
     const int from = m_vertex[v], to = m_exit[l];
+    if (to < 0)
+      return {};
+    m_reached_by.resize(m_place.size(), -1);
     std::vector<int> queue{from}, path;
-    for (std::size_t i = 0; i < queue.size() && (to < 0 || m_reached_by[to] < 0); ++i)
+    for (std::size_t i = 0; i < queue.size() && m_reached_by[to] < 0; ++i)
       for (const int h : m_mesh.outgoing(queue[i]))
         if (const int w = m_mesh.target(h); m_reached_by[w] < 0 &&
                                             (w == to || (is_inside(w) && m_owner[w] == v)) &&
@@ -255,7 +257,7 @@ private:
           m_reached_by[w] = h;
           queue.push_back(w);
         }
-    if (to >= 0 && m_reached_by[to] >= 0)
+    if (m_reached_by[to] >= 0)
       for (int w = to; w != from; w = m_mesh.source(path.back()))
         path.push_back(m_reached_by[w]);
     std::reverse(path.begin(), path.end());
@@ -264,10 +266,11 @@ private:
     return path;
   }
 
-  // splits all edges of the disc that end on its paths: then there is a way along both their sides
+  // splits all edges of the disc that end on paths which have no room yet: then there is a way
+  // along both their sides
   void make_room()
   {
-    for (const int v : m_on_paths)
+    for (const int v : std::exchange(m_without_room, {}))
       for (const int h : m_mesh.outgoing(v)) {
         const int w = m_mesh.target(h);
         const bool is_in_disc = m_owner[w] == m_owner[v] && !(is_on_rim(v) && is_on_rim(w));
@@ -303,12 +306,12 @@ private:
   const T_mesh& m_t_mesh;
   const Quad_layout& m_layout;
   Curve_mesh m_mesh{Triangle_surface()};
-  std::vector<int> m_owner;      // per vertex of the mesh the layout vertex in whose disc it is
-  std::vector<Place> m_place;    // per vertex of the mesh
-  std::vector<int> m_vertex;     // per layout vertex
-  std::vector<int> m_exit;       // per layout halfedge
-  std::vector<int> m_on_paths;   // the vertices on paths in the present disc
-  std::vector<int> m_reached_by; // scratch of `path_to`
+  std::vector<int> m_owner;        // per vertex of the mesh the layout vertex in whose disc it is
+  std::vector<Place> m_place;      // per vertex of the mesh
+  std::vector<int> m_vertex;       // per layout vertex
+  std::vector<int> m_exit;         // per layout halfedge
+  std::vector<int> m_without_room; // vertices on paths in the present disc
+  std::vector<int> m_reached_by;   // scratch of `path_to`
 };
 
 } // namespace internal

@@ -100,9 +100,10 @@ private:
   // of the time that is left for one of many searches, so that none takes it from the others
   static constexpr double small_share = 0.03;
 
+  static constexpr double rounding = 1e-9; // relative error of objectives and bounds
+
   bool is_proven() const
   {
-    constexpr double rounding = 1e-9;
     const double gap = (std::max)(m_options.relative_gap, rounding);
     return m_incumbent.objective() - m_bound <= gap * m_incumbent.objective();
   }
@@ -119,7 +120,7 @@ private:
   // best one had. Better ones with longer paths refute them.
   void report_improvement()
   {
-    if (m_incumbent.objective() < m_bound)
+    if (m_incumbent.objective() < m_bound * (1 - rounding))
       m_bound = 0;
     report();
   }

@@ -33,6 +33,8 @@ class Labels
 public:
   using Surface = Triangle_surface;
 
+  static constexpr int least_valence = 2; // of vertices of quad meshes
+
   // reads the labels off the field, with the mean of the crosses on both sides of each edge
   explicit Labels(const Cross_field& field)
     : m_surface(&field.surface()), m_label(field.surface().number_of_halfedges())

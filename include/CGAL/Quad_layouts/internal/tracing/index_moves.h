@@ -40,8 +40,8 @@ inline bool is_legal(const Index_move& move, Labels& labels)
   if (surface.is_fixed(move.halfedge) || !labels.is_valid_with(move.halfedge, move.shift))
     return false;
   move.apply(labels);
-  const bool result = labels.valence(surface.source(move.halfedge)) >= 2 &&
-                      labels.valence(surface.target(move.halfedge)) >= 2;
+  const bool result = labels.valence(surface.source(move.halfedge)) >= Labels::least_valence &&
+                      labels.valence(surface.target(move.halfedge)) >= Labels::least_valence;
   move.undo(labels);
   return result;
 }

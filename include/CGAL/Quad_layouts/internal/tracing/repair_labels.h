@@ -67,8 +67,7 @@ private:
     bool both_sides; // and to that of the opposite halfedge
   };
 
-  static constexpr int least_valence = 2; // of vertices of quad meshes
-  bool is_bad_vertex(int v) const { return m_labels.valence(v) < least_valence; }
+  bool is_bad_vertex(int v) const { return m_labels.valence(v) < Labels::least_valence; }
   // a suspect is a corner: its face or its vertex may be bad
   bool is_bad(int h) const
   {
@@ -167,7 +166,7 @@ private:
   {
     const int valence = m_labels.valence(v);
     const int moved = m_labels.index(v) != m_field.index(v) ? 2 : 0;
-    return 8 * (std::max)(least_valence - valence, 0) + moved;
+    return 8 * (std::max)(Labels::least_valence - valence, 0) + moved;
   }
   double label_cost(int h) const
   {

@@ -46,6 +46,7 @@ public:
 
 private:
   using Chain = std::vector<int>; // of arcs
+  using Strip = std::vector<int>; // the arcs across it
 
   // extends traces as far as this does not squeeze singularities
   T_mesh trace_apart()
@@ -72,24 +73,27 @@ private:
   void insert_dipoles(std::vector<Chain>& chains, T_mesh& t_mesh)
   {
     constexpr int attempts = 40;
+    std::vector<Strip> strips = Squeezed_singularities(t_mesh).arcs_across_strips();
     for (int i = 0; i < attempts && !chains.empty(); ++i) {
       const Labels before = m_labels;
-      if (!insert_dipoles(t_mesh, i))
+      if (!insert_dipoles(t_mesh, strips, i))
         return;
-      if (!trace_better(chains, t_mesh))
+      if (trace_better(chains, t_mesh))
+        strips = Squeezed_singularities(t_mesh).arcs_across_strips();
+      else
         m_labels = before;
     }
   }
 
   // The first attempt is made beside the curves, the next ones anywhere on the strips that cross
   // them: multiples of the golden ratio are spread evenly.
-  bool insert_dipoles(const T_mesh& t_mesh, int attempt)
+  bool insert_dipoles(const T_mesh& t_mesh, const std::vector<Strip>& strips, int attempt)
   {
     constexpr double golden_ratio = 0.61803398874989485;
     const double place = attempt * golden_ratio - std::floor(attempt * golden_ratio);
     Dipoles dipoles(t_mesh, m_labels);
     bool changed = false;
-    for (std::vector<int>& arcs : Squeezed_singularities(t_mesh).arcs_across_strips()) {
+    for (Strip arcs : strips) {
       std::rotate(arcs.begin(), arcs.begin() + int(place * double(arcs.size())), arcs.end());
       changed |= dipoles.insert(arcs);
     }
