@@ -26,6 +26,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <string>
 #include <vector>
 
 // Feature curves, on their way through all stages.
@@ -63,6 +64,16 @@ Edge_map sharp_edges(Mesh& mesh)
   Edge_map result = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 40, result);
   return result;
+}
+
+// reads a model of CGAL's; returns false, and says so, where it is not installed
+bool read_model(const std::string& name, Mesh& mesh)
+{
+  const bool is_there = CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"),
+                                                    mesh);
+  if (!is_there)
+    BOOST_TEST_MESSAGE(name + ".off: skipped");
+  return is_there;
 }
 
 generated::Kernel::Segment_3 segment(Mesh::Edge_index e, const Mesh& mesh)
@@ -229,10 +240,8 @@ BOOST_AUTO_TEST_CASE(parallel_circles)
 BOOST_AUTO_TEST_CASE(edges_along_a_limit_cycle)
 {
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/mpi_triang.off"), mesh)) {
-    BOOST_TEST_MESSAGE("mpi_triang.off: skipped");
+  if (!read_model("mpi_triang", mesh))
     return;
-  }
   const QL::Cross_field field = QL::compute_cross_field(
       mesh, parameters::default_values().edge_is_constrained_map(sharp_edges(mesh)));
   const QL::T_mesh t = QL::trace_motorcycle_graph(field);
@@ -250,10 +259,8 @@ BOOST_AUTO_TEST_CASE(edges_along_a_limit_cycle)
 BOOST_AUTO_TEST_CASE(edges_that_could_have_no_length)
 {
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/femur.off"), mesh)) {
-    BOOST_TEST_MESSAGE("femur.off: skipped");
+  if (!read_model("femur", mesh))
     return;
-  }
   const QL::T_mesh t = QL::trace_motorcycle_graph(QL::compute_cross_field(
       mesh, parameters::default_values().edge_is_constrained_map(sharp_edges(mesh))));
   invariants::check_t_mesh(t);
@@ -328,6 +335,46 @@ BOOST_AUTO_TEST_CASE(bends_are_followed)
       farthest = (std::max)(farthest, std::sqrt(nearest));
     }
   BOOST_TEST(farthest < 1e-3 * std::sqrt(8.));
+}
+
+// Corners of two holes face each other. The edges between them have room to bend, however long edges
+// are to be.
+BOOST_AUTO_TEST_CASE(edges_between_corners_are_divided)
+{
+  Mesh mesh = generated::plate_with_holes(5, 3, {{1, 1}, {3, 1}}, 2);
+  const Result r = run(mesh, features(mesh, [](const auto&, const auto&) { return false; }));
+  const auto is_corner_of_layout = [&](int v) {
+    return r.layout.is_on_fixed_curve(v) && !r.layout.goes_straight_on(v);
+  };
+  int edges_between_corners = 0;
+  for (int h = 0; h < r.layout.number_of_halfedges(); h += 2)
+    edges_between_corners += !r.layout.is_fixed(QL::Quad_layout::edge(h)) &&
+                             is_corner_of_layout(r.layout.source(h)) &&
+                             is_corner_of_layout(r.layout.target(h));
+  BOOST_TEST(edges_between_corners == 2);
+  Mesh quads;
+  QL::extract_quad_mesh(r.map, r.layout, quads, parameters::target_edge_length(2.));
+  const auto is_corner = [&](Mesh::Vertex_index v) {
+    return quads.is_border(v) && degree(v, quads) != 3;
+  };
+  for (const auto e : edges(quads))
+    if (!quads.is_border(e))
+      BOOST_TEST((!is_corner(source(e, quads)) || !is_corner(target(e, quads))));
+}
+
+// Labels of this model need repair beside its sharp edges.
+BOOST_AUTO_TEST_CASE(no_vertices_of_two_quads_beside_features)
+{
+  Mesh mesh;
+  if (!read_model("diplodocus", mesh))
+    return;
+  const QL::Cross_field field = QL::compute_cross_field(
+      mesh, parameters::default_values().edge_is_constrained_map(sharp_edges(mesh)));
+  const QL::internal::Labels labels = QL::internal::make_labels(field);
+  int slim_vertices = 0;
+  for (int v = 0; v < field.surface().number_of_vertices(); ++v)
+    slim_vertices += labels.is_slim(v) && field.index(v) < 2;
+  BOOST_TEST(slim_vertices == 0);
 }
 
 // Two curves that end on a third one, from its two sides. If their ends fell together, the layout

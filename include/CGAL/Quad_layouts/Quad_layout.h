@@ -71,6 +71,17 @@ public:
   {
     return is_border_edge(edge) || (!edge_is_fixed.empty() && edge_is_fixed[edge] != 0);
   }
+  /// says if vertex `v` is on a fixed curve.
+  bool is_on_fixed_curve(int v) const
+  {
+    int h = halfedge_from(v);
+    do {
+      if (is_fixed(edge(h)))
+        return true;
+      h = turn_right(h);
+    } while (h != halfedge_from(v));
+    return false;
+  }
   /// says if `v` is regular, and on no fixed curve or on one that goes straight on there.
   bool goes_straight_on(int v) const
   {

@@ -62,9 +62,11 @@ inline std::vector<int> number_of_parts(const Integer_grid_map& map, const Quad_
                                         bool has_target, double target)
 {
   std::vector<int> result = has_target ? chord_divisions(layout, target) : map.chord_length;
-  if (has_fixed_edges(layout))
+  if (has_fixed_edges(layout)) {
     raise_for_fixed_curves(layout, traced_edges(map, layout), curve_tolerance(map.surface()),
                            result);
+    raise_between_corners(layout, result);
+  }
   raise_to_simple(layout, result);
   return result;
 }
@@ -84,8 +86,9 @@ exactly.
 
 All edges of a chord have the same number of parts: their length in the map, or what comes closest
 to `target_edge_length`. It is raised where the mesh would have loops or several edges between two
-vertices, and where fixed curves bend so much that fewer edges could not follow them, within a
-thousandth of the diagonal of the surface's bounding box.
+vertices, where fixed curves bend so much that fewer edges could not follow them, within a thousandth
+of the diagonal of the surface's bounding box, and where an edge would join two corners of fixed
+curves, which stay where they are, and might leave the quads beside it no room.
 
 \tparam QuadMesh a model of `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

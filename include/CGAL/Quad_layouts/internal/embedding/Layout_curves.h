@@ -21,6 +21,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -71,39 +72,31 @@ private:
   // path in it
   enum Place : char { OUTSIDE, INSIDE, RIM, PATH };
 
-  // A node that is a singularity is preferred, and must be where the layout vertex is irregular.
-  // Those of the layout on fixed curves must be on these, and where curves meet, if there is such a
-  // place.
+  // A cone must be where the layout vertex is irregular; preferred is one whose index comes closest
+  // to the layout vertex's, because there is room for its quads. Those of the layout on fixed curves
+  // must be on these, and where curves meet, if there is such a place.
   void choose_vertices(const Curve_mesh& mesh)
   {
     m_vertex.assign(m_layout.number_of_vertices(), -1);
     for (int v = int(m_owner.size()) - 1; v >= 0; --v)
-      if (m_owner[v] >= 0 && (!is_on_fixed_curve(m_owner[v]) || mesh.is_on_fixed_curve(v)))
+      if (m_owner[v] >= 0 && (!m_layout.is_on_fixed_curve(m_owner[v]) || mesh.is_on_fixed_curve(v)))
         m_vertex[m_owner[v]] = v;
     for (const Quad_layout::Cluster& c : m_layout.clusters) {
       const auto rank = [&](int n) {
         const int fixed = m_t_mesh.number_of_fixed_arcs(n);
-        return std::make_pair(fixed == 0 ? 0 : fixed == 2 ? 1 : 2, std::abs(m_t_mesh.index(n)));
+        const int index = m_t_mesh.index(n);
+        return std::make_tuple(fixed == 0   ? 0
+                               : fixed == 2 ? 1
+                                            : 2,
+                               index != 0 || c.index == 0, -std::abs(index - c.index));
       };
       const int node = *std::max_element(c.nodes.begin(), c.nodes.end(),
                                          [&](int m, int n) { return rank(m) < rank(n); });
-      if (m_t_mesh.is_on_fixed_curve(node) == is_on_fixed_curve(c.vertex))
+      if (m_t_mesh.is_on_fixed_curve(node) == m_layout.is_on_fixed_curve(c.vertex))
         m_vertex[c.vertex] = m_t_mesh.surface_vertex(node);
     }
   }
 
-  // of a layout vertex
-  bool is_on_fixed_curve(int v) const
-  {
-    const int first = m_layout.halfedge_from(v);
-    int l = first;
-    do {
-      if (is_fixed(l))
-        return true;
-      l = m_layout.turn_left(l);
-    } while (l != first);
-    return false;
-  }
   bool is_fixed(int layout_halfedge) const
   {
     return m_layout.is_fixed(Quad_layout::edge(layout_halfedge));

@@ -31,6 +31,18 @@ inline void raise_for_fixed_curves(const Quad_layout& layout,
     }
 }
 
+// Raises the divisions of edges that lead straight from one corner of fixed curves to another. Both
+// ends stay where they are, and the direction between them may leave a quad no room.
+inline void raise_between_corners(const Quad_layout& layout, std::vector<int>& divisions)
+{
+  const auto is_corner = [&](int v) {
+    return layout.is_on_fixed_curve(v) && !layout.goes_straight_on(v);
+  };
+  for (int e = 0; e < layout.number_of_edges(); ++e)
+    if (!layout.is_fixed(e) && is_corner(layout.source(2 * e)) && is_corner(layout.target(2 * e)))
+      divisions[layout.chord(e)] = (std::max)(divisions[layout.chord(e)], 2);
+}
+
 } // namespace internal
 } // namespace Quad_layouts
 } // namespace CGAL

@@ -114,6 +114,9 @@ public:
   // 1 if a side is fixed.
   int index(int v) const { return (m_surface->is_on_border(v) ? 3 : 4) - valence(v); }
 
+  // says if v, on no fixed edge, has two quads: where the surface is flat, one cannot be convex
+  bool is_slim(int v) const { return m_surface->number_of_fixed_edges(v) == 0 && valence(v) == 2; }
+
   // Says if fixed edges, if there are any at v, go straight on there: there are two, each line
   // between them has one neighbour on both sides, and no other line starts at v.
   bool goes_straight_on(int v) const

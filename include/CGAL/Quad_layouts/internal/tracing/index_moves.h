@@ -33,15 +33,19 @@ struct Index_move
   void undo(Labels& labels) const { labels.set(halfedge, labels.quadrant(halfedge) - shift); }
 };
 
-// whether a move leaves its face valid, and no vertex with a valence that quad meshes do not have
+// whether a move leaves its face valid, and makes no vertex slim, or of a valence that quad meshes do
+// not have
 inline bool is_legal(const Index_move& move, Labels& labels)
 {
   const Triangle_surface& surface = labels.surface();
   if (surface.is_fixed(move.halfedge) || !labels.is_valid_with(move.halfedge, move.shift))
     return false;
+  const auto is_good = [&](int v) {
+    return labels.valence(v) >= Labels::least_valence && !labels.is_slim(v);
+  };
   move.apply(labels);
-  const bool result = labels.valence(surface.source(move.halfedge)) >= Labels::least_valence &&
-                      labels.valence(surface.target(move.halfedge)) >= Labels::least_valence;
+  const bool result = is_good(surface.source(move.halfedge)) &&
+                      is_good(surface.target(move.halfedge));
   move.undo(labels);
   return result;
 }

@@ -15,6 +15,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,7 +24,7 @@ namespace internal {
 
 // Makes all faces valid and all valences at least 2, by a min-conflicts search that starts from
 // labels that are valid nearly everywhere: again and again, the cheapest change of a label near a
-// bad face or vertex.
+// bad face or vertex. Then the same search is tried from each vertex that this has made slim.
 //
 // A label that changes on both sides of its edge keeps the matching. As long as faces are valid, it
 // then keeps the valences, too. A label that changes on one side moves a quarter of index from one
@@ -41,22 +42,11 @@ public:
 
   void operator()()
   {
-    for (int f = 0; f < m_surface.number_of_faces(); ++f)
-      suspect(3 * f);
-    const std::size_t limit = 1000 * m_suspects.size() + 1000;
-    m_patience = 20 * m_suspects.size() + 20;
-    for (std::size_t step = 0; !m_suspects.empty(); ++step) {
-      const std::size_t i = m_random() % m_suspects.size();
-      const int h = m_suspects[i];
-      m_suspects[i] = m_suspects.back();
-      m_suspects.pop_back();
-      if (!is_bad(h))
-        continue;
-      if (step == limit)
-        fail(h);
-      apply(best_change(h, step));
-      suspect(h);
-    }
+    make_valid();
+    m_bears_slim_vertices = false;
+    for (int v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (is_bad_vertex(v))
+        widen(v);
   }
 
 private:
@@ -67,7 +57,60 @@ private:
     bool both_sides; // and to that of the opposite halfedge
   };
 
-  bool is_bad_vertex(int v) const { return m_labels.valence(v) < Labels::least_valence; }
+  void make_valid()
+  {
+    for (int f = 0; f < m_surface.number_of_faces(); ++f)
+      suspect(3 * f);
+    if (!search(1000 * m_suspects.size() + 1000))
+      fail(m_suspects.front());
+  }
+
+  // tries to share the index of v with its neighbours
+  void widen(int v)
+  {
+    constexpr std::size_t number_of_steps = 100;
+    m_changes.clear();
+    m_suspects.assign(1, m_surface.halfedge(v));
+    if (!search(number_of_steps))
+      undo();
+  }
+
+  // changes labels until no suspect is bad; returns false if that takes more than `limit` steps
+  bool search(std::size_t limit)
+  {
+    m_patience = 20 * m_suspects.size() + 20;
+    for (std::size_t step = 0; !m_suspects.empty(); ++step) {
+      const std::size_t i = m_random() % m_suspects.size();
+      const int h = std::exchange(m_suspects[i], m_suspects.back());
+      m_suspects.pop_back();
+      if (!is_bad(h))
+        continue;
+      if (step >= limit) {
+        m_suspects.assign(1, h);
+        return false;
+      }
+      apply(best_change(h, step));
+      suspect(h);
+    }
+    return true;
+  }
+
+  void undo()
+  {
+    for (auto c = m_changes.rbegin(); c != m_changes.rend(); ++c)
+      shift_labels(*c, 4 - c->shift);
+    m_suspects.clear();
+  }
+
+  bool is_bad_vertex(int v) const
+  {
+    return m_labels.valence(v) < Labels::least_valence || is_too_slim(v);
+  }
+  // whether v is slim, and not so by the field, once that matters
+  bool is_too_slim(int v) const
+  {
+    return !m_bears_slim_vertices && m_labels.is_slim(v) && m_field.index(v) < 2;
+  }
   // a suspect is a corner: its face or its vertex may be bad
   bool is_bad(int h) const
   {
@@ -138,6 +181,7 @@ private:
   void apply(const Change& change)
   {
     shift_labels(change, change.shift);
+    m_changes.push_back(change);
     suspect(change.halfedge);
     suspect(m_surface.opposite(change.halfedge));
   }
@@ -166,7 +210,8 @@ private:
   {
     const int valence = m_labels.valence(v);
     const int moved = m_labels.index(v) != m_field.index(v) ? 2 : 0;
-    return 8 * (std::max)(Labels::least_valence - valence, 0) + moved;
+    const int slim = is_too_slim(v) ? 4 : 0;
+    return 8 * (std::max)(Labels::least_valence - valence, 0) + slim + moved;
   }
   double label_cost(int h) const
   {
@@ -187,7 +232,9 @@ private:
   const Cross_field& m_field;
   const Surface& m_surface;
   std::vector<int> m_suspects;
+  std::vector<Change> m_changes; // of the present search
   std::size_t m_patience = 0;
+  bool m_bears_slim_vertices = true;
   std::mt19937 m_random{5489u};
   Change m_best{};
   double m_best_cost = 0;
