@@ -201,6 +201,52 @@ BOOST_AUTO_TEST_CASE(folds_at_thin_ears_are_untangled)
   BOOST_TEST(m.msj_minimum > 0.2);
 }
 
+// those of the distortion around a vertex, by differences
+BOOST_AUTO_TEST_CASE(derivatives_of_distortion)
+{
+  using Point3 = Eigen::Vector3d;
+  const double unit = 0.8, h = 1e-5;
+  std::mt19937 random(7);
+  const auto perturbed = [&](double x, double y, double z) {
+    std::uniform_real_distribution<double> shift(-0.4, 0.4);
+    return Point3(x + shift(random), y + shift(random), z + shift(random));
+  };
+  for (const double epsilon : {1e-2, 1.})
+    for (int i = 0; i < 20; ++i) {
+      QL::internal::Quad_on_surface q;
+      q.quad = {perturbed(0, 0, 0), perturbed(1, 0, 0), perturbed(1, 1, 0), perturbed(0, 1, 0)};
+      for (auto& normal : q.normals)
+        normal = perturbed(0, 0, 1).normalized();
+      QL::internal::Star star;
+      star.clear();
+      star.add(q);
+      const QL::internal::Regularized_distortion measure(epsilon, 1);
+      Point3 gradient;
+      Eigen::Matrix3d hessian;
+      star.derive_distortion(measure, unit, gradient, hessian);
+      const auto gradient_after = [&](const Point3& step) {
+        QL::internal::Quad_on_surface moved = q;
+        moved.quad[0] += step;
+        QL::internal::Star moved_star;
+        moved_star.clear();
+        moved_star.add(moved);
+        Point3 result;
+        Eigen::Matrix3d unused;
+        moved_star.derive_distortion(measure, unit, result, unused);
+        return result;
+      };
+      for (int k = 0; k < 3; ++k) {
+        const Point3 step = h * Point3::Unit(k);
+        const double slope = (star.distortion(q.quad[0] + step, measure, unit) -
+                              star.distortion(q.quad[0] - step, measure, unit)) /
+                             (2 * h);
+        BOOST_TEST(std::abs(gradient[k] - slope) < 1e-5 * (1 + gradient.norm() + hessian.norm()));
+        const Point3 column = (gradient_after(step) - gradient_after(-step)) / (2 * h);
+        BOOST_TEST((hessian.col(k) - column).norm() < 1e-4 * (1 + hessian.norm()));
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(borders_stay)
 {
   const Mesh before = generated::quad_torus(24, 12, false);

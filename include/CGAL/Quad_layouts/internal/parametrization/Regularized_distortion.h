@@ -43,25 +43,34 @@ public:
     return numerator(squared_norm, d) / chi(d);
   }
 
+  // the derivatives of the value by the squared norm of J and by its determinant
+  struct Partial_derivatives
+  {
+    double by_norm, by_det, by_norm_and_det, by_det_twice;
+  };
+  Partial_derivatives partial_derivatives(double squared_norm, double d) const
+  {
+    const double root = root_of(d), c = chi(d);
+    const double c1 = c / root, c2 = m_epsilon * m_epsilon / (2 * root * root * root);
+    const double n = numerator(squared_norm, d), a = m_area_weight;
+    return {1 / c, (2 * a * d - n * c1 / c) / c, -c1 / (c * c),
+            (2 * a - 4 * a * d * c1 / c + n * (2 * c1 * c1 / c - c2) / c) / c};
+  }
+
   // computes gradient and Hessian by the entries of J in column order, where the value is finite
   void derivatives(const Eigen::Matrix2d& j, Vector4& gradient, Matrix4& hessian) const
   {
-    const double d = j.determinant(), root = std::hypot(d, m_epsilon), c = chi(d);
-    const double c1 = c / root, c2 = m_epsilon * m_epsilon / (2 * root * root * root);
-    const double n = numerator(j.squaredNorm(), d), a = m_area_weight;
-    const double by_det = (2 * a * d - n * c1 / c) / c;
-    const double by_det_twice = (2 * a - 4 * a * d * c1 / c + n * (2 * c1 * c1 / c - c2) / c) / c;
-    const double mixed = -c1 / (c * c);
+    const Partial_derivatives p = partial_derivatives(j.squaredNorm(), j.determinant());
     const Vector4 twice_j(2 * j(0, 0), 2 * j(1, 0), 2 * j(0, 1), 2 * j(1, 1)),
         cofactor(j(1, 1), -j(0, 1), -j(1, 0), j(0, 0));
-    gradient = twice_j / c + by_det * cofactor;
-    hessian = by_det_twice * cofactor * cofactor.transpose() +
-              mixed * (twice_j * cofactor.transpose() + cofactor * twice_j.transpose());
-    hessian.diagonal().array() += 2 / c;
-    hessian(0, 3) += by_det;
-    hessian(3, 0) += by_det;
-    hessian(1, 2) -= by_det;
-    hessian(2, 1) -= by_det;
+    gradient = p.by_norm * twice_j + p.by_det * cofactor;
+    hessian = p.by_det_twice * cofactor * cofactor.transpose() +
+              p.by_norm_and_det * (twice_j * cofactor.transpose() + cofactor * twice_j.transpose());
+    hessian.diagonal().array() += 2 * p.by_norm;
+    hessian(0, 3) += p.by_det;
+    hessian(3, 0) += p.by_det;
+    hessian(1, 2) -= p.by_det;
+    hessian(2, 1) -= p.by_det;
   }
 
 private:
@@ -70,10 +79,12 @@ private:
     return squared_norm + m_area_weight * (d * d + 1);
   }
 
+  double root_of(double d) const { return std::sqrt(d * d + m_epsilon * m_epsilon); }
+
   // in a form that does not cancel for negative d
   double chi(double d) const
   {
-    const double root = std::hypot(d, m_epsilon);
+    const double root = root_of(d);
     return d > 0 ? (d + root) / 2 : m_epsilon * m_epsilon / (2 * (root - d));
   }
 

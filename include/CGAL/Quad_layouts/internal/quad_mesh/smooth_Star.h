@@ -164,7 +164,7 @@ public:
     }
   }
 
-  // Says if each quad stays as good as it is, or at least sufficiently good, when the vertex moves
+  // Says if each quad stays as good as it was, or at least sufficiently good, when the vertex moves
   // to x. Around a bad quad, good ones need not stay better than that, so that it does not hold all
   // the others where they are; but they must not be inverted.
   bool permits(const Vector& x) const
@@ -198,18 +198,46 @@ public:
     return result;
   }
 
-  // the sum of the distortions of the maps from squares with edges of length `unit` to the corners
-  // of the quads
+  // The sum of the distortions of the maps from squares with edges of length `unit` to those
+  // corners of the quads that depend on x. It has no unit.
   double distortion(const Vector& x, const Regularized_distortion& measure, double unit) const
   {
     double sum = 0;
     for (const Sector& s : m_sectors) {
       const Quad q = s.moved_to(x);
-      for (int k = 0; k < 4; ++k)
+      for (const int k : moving_corners)
         sum += measure.value(squared_norm(q, k) / (unit * unit),
                              determinant(q, k, s.mean_normal) / (unit * unit));
     }
     return sum;
+  }
+
+  // computes its gradient and Hessian at the present position
+  void derive_distortion(const Regularized_distortion& measure, double unit, Vector& gradient,
+                         Eigen::Matrix3d& hessian) const
+  {
+    gradient.setZero();
+    hessian.setZero();
+    const double area = unit * unit;
+    for (const Sector& s : m_sectors) {
+      const Quad& q = s.quad;
+      const Vector& n = s.mean_normal;
+      const std::array<Vector, 4> by_norm = {2 * (2 * q[0] - q[1] - q[3]) / area,
+                                             2 * (q[0] - q[1]) / area, Vector::Zero(),
+                                             2 * (q[0] - q[3]) / area};
+      const std::array<Vector, 4> by_det = {n.cross(q[3] - q[1]) / area,
+                                            n.cross(q[2] - q[1]) / area, Vector::Zero(),
+                                            n.cross(q[3] - q[2]) / area};
+      for (const int k : moving_corners) {
+        const auto p = measure.partial_derivatives(squared_norm(q, k) / area,
+                                                   determinant(q, k, n) / area);
+        gradient += p.by_norm * by_norm[k] + p.by_det * by_det[k];
+        const Eigen::Matrix3d mixed = by_norm[k] * by_det[k].transpose();
+        hessian += p.by_norm_and_det * (mixed + mixed.transpose()) +
+                   p.by_det_twice * by_det[k] * by_det[k].transpose();
+        hessian.diagonal().array() += p.by_norm * (k == 0 ? 4 : 2) / area;
+      }
+    }
   }
 
 private:
@@ -236,6 +264,8 @@ private:
   {
     return (q[(k + 1) & 3] - q[k]).squaredNorm() + (q[(k + 3) & 3] - q[k]).squaredNorm();
   }
+
+  static constexpr std::array<int, 3> moving_corners = {0, 1, 3}; // of quads, whose sides end at x
 
   double number_of_edges() const { return double(m_sectors.size() + m_edges.size()); }
 

@@ -66,15 +66,21 @@ public:
   void unfold(int v, const Regularized_distortion& measure, double unit)
   {
     m_quads.gather_star(v, m_star);
-    const auto energy = [&](const Vector& x) { return m_star.distortion(x, measure, unit); };
-    const double l2 = m_star.squared_edge_length(), before = energy(m_star.position());
+    const double l2 = m_star.squared_edge_length();
     if (!(l2 > 0))
       return;
-    try_move(v, newton_step(v, energy, std::sqrt(l2)),
+    const auto energy = [&](const Vector& x) { return m_star.distortion(x, measure, unit); };
+    const double before = energy(m_star.position());
+    Vector gradient;
+    Eigen::Matrix3d hessian;
+    m_star.derive_distortion(measure, unit, gradient, hessian);
+    try_move(v, newton_step(v, gradient, hessian, std::sqrt(l2)),
              [&](const Vector& x) { return energy(x) < before; });
   }
 
 private:
+  using Plane = Eigen::Matrix<double, 3, 2>;
+
   // the weighted mean of the neighbours, on a curve the mean of those on the curve
   Vector centre_of_neighbours(int v) const
   {
@@ -92,52 +98,75 @@ private:
     }
   }
 
-  // the step of v in the surface, or along its curve, to the minimum of a model of an energy
+  // the step of v in the surface, or along its curve, to the minimum of a quadratic model
+  Vector newton_step(int v, const Vector& gradient, const Eigen::Matrix3d& hessian,
+                     double edge_length) const
+  {
+    const Surface_walk::Place& place = m_quads.place(v);
+    if (place.fixed_halfedge >= 0) {
+      const Vector t = m_quads.walk().tangent(place);
+      return step_downhill(gradient.dot(t), t.dot(hessian * t), edge_length) * t;
+    }
+    const Plane plane = tangent_plane(v);
+    return plane * step_downhill(Eigen::Vector2d(plane.transpose() * gradient),
+                                 Eigen::Matrix2d(plane.transpose() * hessian * plane), edge_length);
+  }
+
+  // the same for an energy, of which samples make the model
   template <class Energy>
   Vector newton_step(int v, const Energy& energy, double edge_length) const
   {
+    const double h = 1e-3 * edge_length;
     const Surface_walk::Place& place = m_quads.place(v);
-    return place.fixed_halfedge < 0
-               ? newton_step_in_plane(m_quads.normal(v), energy, edge_length)
-               : newton_step_along(m_quads.walk().tangent(place), energy, edge_length);
-  }
-
-  // the same in the plane with the given normal, from six samples of a quadratic model. Negative
-  // curvatures are made positive, so that it leads downhill.
-  template <class Energy>
-  Vector newton_step_in_plane(const Vector& normal, const Energy& energy, double edge_length) const
-  {
-    const Vector t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
-    const double h = 1e-3 * edge_length, longest = 0.5 * edge_length;
-    const auto at = [&](double a, double b) { return energy(m_star.position() + a * t1 + b * t2); };
+    if (place.fixed_halfedge >= 0) {
+      const Vector t = m_quads.walk().tangent(place);
+      const auto at = [&](double a) { return energy(m_star.position() + a * t); };
+      const double e0 = at(0), after = at(h), before = at(-h);
+      return step_downhill((after - before) / (2 * h), (after - 2 * e0 + before) / (h * h),
+                           edge_length) *
+             t;
+    }
+    const Plane plane = tangent_plane(v);
+    const auto at = [&](double a, double b) {
+      return energy(m_star.position() + plane * Eigen::Vector2d(a, b));
+    };
     const double e00 = at(0, 0), e10 = at(h, 0), em0 = at(-h, 0), e01 = at(0, h), e0m = at(0, -h),
                  e11 = at(h, h);
     const Eigen::Vector2d gradient((e10 - em0) / (2 * h), (e01 - e0m) / (2 * h));
     const double mixed = (e11 - e10 - e01 + e00) / (h * h);
     Eigen::Matrix2d hessian;
     hessian << (e10 - 2 * e00 + em0) / (h * h), mixed, mixed, (e01 - 2 * e00 + e0m) / (h * h);
+    return plane * step_downhill(gradient, hessian, edge_length);
+  }
+
+  // two orthonormal vectors as columns
+  Plane tangent_plane(int v) const
+  {
+    Plane result;
+    result.col(0) = m_quads.normal(v).unitOrthogonal();
+    result.col(1) = m_quads.normal(v).cross(result.col(0));
+    return result;
+  }
+
+  // The step to the minimum of a quadratic model, at most half an edge. Negative curvatures are
+  // made positive, so that it leads downhill.
+  static Eigen::Vector2d step_downhill(const Eigen::Vector2d& gradient,
+                                       const Eigen::Matrix2d& hessian, double edge_length)
+  {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
     eigen.computeDirect(hessian);
     const double least = (std::max)(1e-3 * eigen.eigenvalues().cwiseAbs().maxCoeff(), 1e-300);
     const Eigen::Vector2d curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
-    Eigen::Vector2d d = -(eigen.eigenvectors() *
-                          (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(curvature));
-    if (d.norm() > longest)
-      d *= longest / d.norm();
-    return d.x() * t1 + d.y() * t2;
+    const Eigen::Vector2d step = -(
+        eigen.eigenvectors() *
+        (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(curvature));
+    const double longest = 0.5 * edge_length;
+    return step.norm() > longest ? Eigen::Vector2d(step * (longest / step.norm())) : step;
   }
-
-  // the same along a line with the given direction, from three samples
-  template <class Energy>
-  Vector newton_step_along(const Vector& direction, const Energy& energy, double edge_length) const
+  static double step_downhill(double slope, double curvature, double edge_length)
   {
-    const double h = 1e-3 * edge_length, longest = 0.5 * edge_length;
-    const auto at = [&](double a) { return energy(m_star.position() + a * direction); };
-    const double e0 = at(0), after = at(h), before = at(-h);
-    const double slope = (after - before) / (2 * h),
-                 curvature = std::abs(after - 2 * e0 + before) / (h * h);
-    const double step = curvature > 0 ? -slope / curvature : 0;
-    return std::clamp(step, -longest, longest) * direction;
+    const double step = curvature != 0 ? -slope / std::abs(curvature) : 0;
+    return std::clamp(step, -0.5 * edge_length, 0.5 * edge_length);
   }
 
   Quads_on_surface& m_quads;
