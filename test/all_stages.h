@@ -14,12 +14,11 @@
 #include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
-#include <CGAL/Quad_layouts/extract_quad_mesh.h>
+#include <CGAL/Quad_layouts/extract_smooth_quad_mesh.h>
 #include <CGAL/Quad_layouts/internal/surface/Triangle_tree.h>
 #include <CGAL/Quad_layouts/measure_quad_layout.h>
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/quantize.h>
-#include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -255,11 +254,10 @@ inline bool run(Task& task, Results& r)
   r.map = QL::embed_quad_layout(r.t_mesh, r.layout, np);
   check_map(r.map, r.layout);
   r.on_curve = r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_curve").first;
-  QL::extract_quad_mesh(r.map, r.layout, r.quads,
-                        QL::parameters::edge_is_constrained_map(r.on_curve));
-  QL::smooth_quad_mesh(r.quads, task.mesh,
-                       np.edge_is_constrained_map(r.on_curve).maximum_running_time(task.seconds),
-                       QL::parameters::edge_is_constrained_map(task.is_feature));
+  QL::extract_smooth_quad_mesh(
+      r.map, r.layout, task.mesh, r.quads,
+      QL::parameters::edge_is_constrained_map(r.on_curve).maximum_running_time(task.seconds),
+      QL::parameters::edge_is_constrained_map(task.is_feature));
   check_quads(task, r);
   return true;
 }

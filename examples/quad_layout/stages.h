@@ -16,12 +16,11 @@
 #include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
-#include <CGAL/Quad_layouts/extract_quad_mesh.h>
+#include <CGAL/Quad_layouts/extract_smooth_quad_mesh.h>
 #include <CGAL/Quad_layouts/measure_quad_layout.h>
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
-#include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 #include <CGAL/Quad_layouts/visitor.h>
 #ifdef CGAL_USE_CBC
@@ -278,16 +277,15 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
                             (r.quantization.reason.empty() ? "" : "; " + r.quantization.reason));
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
   r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, limited()); });
-  clock("quad_mesh", [&] {
-    QL::extract_quad_mesh(r.map, r.layout, r.quads,
-                          QL::parameters::face_patch_map(r.patch)
-                              .vertex_is_layout_node_map(r.is_node)
-                              .edge_is_layout_edge_map(r.is_layout_edge)
-                              .edge_is_constrained_map(on_feature));
-  });
   clock("smooth", [&] {
-    QL::smooth_quad_mesh(r.quads, mesh, limited().edge_is_constrained_map(on_feature),
-                         QL::parameters::default_values().edge_is_constrained_map(features));
+    QL::extract_smooth_quad_mesh(
+        r.map, r.layout, mesh, r.quads,
+        limited()
+            .face_patch_map(r.patch)
+            .vertex_is_layout_node_map(r.is_node)
+            .edge_is_layout_edge_map(r.is_layout_edge)
+            .edge_is_constrained_map(on_feature),
+        QL::parameters::default_values().edge_is_constrained_map(features));
   });
   clock.finish();
   r.quality = QL::measure_quad_mesh(

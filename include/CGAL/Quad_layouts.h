@@ -19,6 +19,7 @@
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_mesh.h>
+#include <CGAL/Quad_layouts/extract_smooth_quad_mesh.h>
 #include <CGAL/Quad_layouts/graph_traits_Halfedge_complex.h>
 #include <CGAL/Quad_layouts/measure_quad_layout.h>
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>

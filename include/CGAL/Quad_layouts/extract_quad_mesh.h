@@ -57,10 +57,19 @@ inline bool has_fixed_edges(const Quad_layout& layout)
 }
 
 // returns the number of parts of the edges of each chord, which are their lengths in the map unless
-// there is a target
-inline std::vector<int> number_of_parts(const Integer_grid_map& map, const Quad_layout& layout,
-                                        bool has_target, double target)
+// there is a target; checks the map and the target
+template <class NamedParameters>
+std::vector<int> number_of_parts(const Integer_grid_map& map, const Quad_layout& layout,
+                                 const NamedParameters& np)
 {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr bool has_target =
+      !parameters::is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value;
+  const double target = choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.);
+  if (has_target)
+    require_positive("target_edge_length", target);
+  check_map(map, layout);
   std::vector<int> result = has_target ? chord_divisions(layout, target) : map.chord_length;
   if (has_fixed_edges(layout)) {
     raise_for_fixed_curves(layout, traced_edges(map, layout), curve_tolerance(map.surface()),
@@ -160,17 +169,7 @@ template <class QuadMesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 void extract_quad_mesh(const Integer_grid_map& map, const Quad_layout& layout, QuadMesh& out,
                        const CGAL_NP_CLASS& np_out = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  constexpr bool has_target =
-      !parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::target_edge_length_t>::value;
-  const double target = choose_parameter(get_parameter(np_out, internal_np::target_edge_length),
-                                         0.);
-  if (has_target)
-    internal::require_positive("target_edge_length", target);
-  internal::check_map(map, layout);
-
-  const auto divisions = internal::number_of_parts(map, layout, has_target, target);
+  const std::vector<int> divisions = internal::number_of_parts(map, layout, np_out);
   const internal::Divided_layout divided(layout, divisions);
   const internal::Layout_tracer tracer(map, layout, divisions);
   internal::build_mesh(divided, internal::grid_points(tracer, divided), out, np_out);

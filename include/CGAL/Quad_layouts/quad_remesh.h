@@ -12,18 +12,14 @@
 #include <CGAL/Quad_layouts/compute_t_mesh.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
-#include <CGAL/Quad_layouts/extract_quad_mesh.h>
+#include <CGAL/Quad_layouts/extract_smooth_quad_mesh.h>
 #include <CGAL/Quad_layouts/graph_traits_Halfedge_complex.h>
 #include <CGAL/Quad_layouts/internal/running_time_limit.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
-#include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 
-#include <boost/property_map/property_map.hpp>
-
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -65,37 +61,6 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Ti
     throw Stage_failure("quantize: no valid layout was found that meets all demands" +
                         (quantization.reason.empty() ? "" : "; " + quantization.reason));
   return extract_quad_layout(t_mesh, quantization);
-}
-
-// empties a mesh, whose property maps stay; `CGAL::clear()` takes away those of a `Surface_mesh`
-template <class Mesh>
-void remove_all(Mesh& mesh)
-{
-  using Traits = boost::graph_traits<Mesh>;
-  const std::vector<typename Traits::face_descriptor> fs(faces(mesh).begin(), faces(mesh).end());
-  const std::vector<typename Traits::edge_descriptor> es(edges(mesh).begin(), edges(mesh).end());
-  const std::vector<typename Traits::vertex_descriptor> vs(vertices(mesh).begin(),
-                                                           vertices(mesh).end());
-  for (const auto f : fs)
-    remove_face(f, mesh);
-  for (const auto e : es)
-    remove_edge(e, mesh);
-  for (const auto v : vs)
-    remove_vertex(v, mesh);
-}
-
-// the pack, with a map for the edges on fixed curves if it has none; its values go to `on_curve`,
-// as the mesh has no edges yet
-template <class Edges, class NamedParameters>
-auto with_edge_map(Edges& on_curve, const NamedParameters& np)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters,
-                                                 internal_np::edge_is_constrained_t>::value)
-    return np.edge_is_constrained_map(boost::associative_property_map<Edges>(on_curve));
-  else {
-    CGAL_USE(on_curve);
-    return np;
-  }
 }
 
 } // namespace internal
@@ -146,7 +111,7 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
 
 remeshes a triangle mesh with quadrilaterals, on a simple quad layout.
 
-It runs all stages, from `compute_cross_field()` to `smooth_quad_mesh()`, and passes `np` to each of
+It runs all stages, from `compute_cross_field()` to `extract_smooth_quad_mesh()`, and passes `np` to each of
 them.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -162,7 +127,7 @@ them.
           for all stages together, of which the integer program gets 30 seconds at most; and
           `face_weight_map`, which says how dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
-              those of `extract_quad_mesh()` and `smooth_quad_mesh()`
+              those of `extract_smooth_quad_mesh()`
 
 \pre `out` is empty.
 
@@ -180,16 +145,10 @@ void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
   const internal::Time_budget budget(internal::running_time_limit(np));
   const T_mesh t_mesh = internal::t_mesh_of(tm, budget, np);
   const Quad_layout layout = internal::simple_layout(t_mesh, tm, budget, np);
-  std::unordered_map<typename boost::graph_traits<QuadMesh>::edge_descriptor, bool> on_curve;
-  const auto np_quads = internal::with_edge_map(on_curve, np_out);
-  const auto np_map = with_time_limit(np, budget.left_for("embed_quad_layout"));
-  extract_quad_mesh(embed_quad_layout(t_mesh, layout, np_map), layout, out, np_quads);
-  try {
-    smooth_quad_mesh(out, tm, np_quads, with_time_limit(np, budget.left_for_improvement()));
-  } catch (...) {
-    internal::remove_all(out);
-    throw;
-  }
+  const Integer_grid_map map = embed_quad_layout(
+      t_mesh, layout, with_time_limit(np, budget.left_for("embed_quad_layout")));
+  extract_smooth_quad_mesh(map, layout, tm, out, np_out,
+                           with_time_limit(np, budget.left_for_improvement()));
 }
 
 } // namespace Quad_layouts

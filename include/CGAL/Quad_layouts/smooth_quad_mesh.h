@@ -57,6 +57,16 @@ Monitor monitor_from(const NamedParameters& np, const OtherParameters& other)
     return visitor_of(np).limited_to(seconds);
 }
 
+// the named parameter, which is checked
+template <class NamedParameters>
+int number_of_smoothing_iterations(const NamedParameters& np)
+{
+  const int result = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), 30);
+  require_parameter(result >= 0, "number_of_iterations", result, "at least 0");
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -162,10 +172,7 @@ void smooth_quad_mesh(QuadMesh& quads, const TriangleMesh& surface,
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const int number_of_iterations = choose_parameter(
-      get_parameter(np_quads, internal_np::number_of_iterations), 30);
-  internal::require_parameter(number_of_iterations >= 0, "number_of_iterations",
-                              number_of_iterations, "at least 0");
+  const int number_of_iterations = internal::number_of_smoothing_iterations(np_quads);
   const auto quad_points = choose_parameter(get_parameter(np_quads, internal_np::vertex_point),
                                             get_property_map(vertex_point, quads));
 

@@ -58,6 +58,9 @@ public:
     Quad_untangler(m_quads, monitor).repair();
   }
 
+  // the quads that are inverted or oppose the surface, ascending
+  std::vector<int> bad_quads() const { return m_quads.bad_quads(); }
+
 private:
   // sweeps forwards or backwards in turn over the vertices around which something has moved lately
   template <class Step>

@@ -68,9 +68,9 @@ public:
   {
     int before;
     do {
-      before = number_of_bad_quads();
+      before = int(m_quads.bad_quads().size());
       repair_once();
-    } while (number_of_bad_quads() > 0 && number_of_bad_quads() < before);
+    } while (before > 0 && int(m_quads.bad_quads().size()) < before);
   }
 
 private:
@@ -103,33 +103,16 @@ private:
     }
   };
 
-  // the normal of the triangle nearest to the centre of a quad, one of whose corners is v
-  Vector surface_normal(const Quad& quad, int v) const
-  {
-    return m_quads.walk().nearest_normal(centre(quad), area_vector(quad), m_quads.place(v).face);
-  }
-
-  // the scaled Jacobian, or minus one if the quad opposes the surface
-  double score(int f) const
-  {
-    const Quad quad = m_quads.quad(f);
-    return area_vector(quad).dot(surface_normal(quad, m_quads.mesh().corner(f, 0))) < 0
-               ? -1
-               : scaled_jacobian(quad);
-  }
-
   Badness badness(const std::vector<int>& quads, double threshold) const
   {
     Badness result;
     for (const int f : quads) {
-      const double s = score(f);
+      const double s = m_quads.score(f);
       result.bad_quads += !(s > 0);
       result.deficit += CGAL::square((std::max)(threshold - s, 0.));
     }
     return result;
   }
-
-  int number_of_bad_quads() const { return badness(all_quads(), 0).bad_quads; }
 
   std::vector<int> all_quads() const
   {
@@ -156,7 +139,7 @@ private:
   {
     std::vector<char> is_open(m_quads.mesh().number_of_faces(), 0);
     for (const int f : suspects)
-      is_open[f] = !(score(f) > threshold);
+      is_open[f] = !(m_quads.score(f) > threshold);
     std::vector<std::vector<int>> result;
     for (const int f : suspects)
       if (is_open[f])
@@ -308,7 +291,7 @@ private:
     for (const Candidate& c : m_candidates) {
       if (sum > limit)
         break;
-      sum += shape_energy(c.quad, surface_normal(c.quad, v)) - c.least_energy;
+      sum += shape_energy(c.quad, m_quads.surface_normal(c.quad, v)) - c.least_energy;
     }
     return sum;
   }

@@ -94,6 +94,30 @@ public:
   }
   Quad quad(int f) const { return quad_of(m_mesh, f); }
 
+  // the normal of the triangle nearest to the centre of a quad, one of whose corners is v
+  Vector surface_normal(const Quad& quad, int v) const
+  {
+    return m_walk.nearest_normal(centre(quad), area_vector(quad), m_places[v].face);
+  }
+
+  // the scaled Jacobian, or minus one if the quad opposes the surface
+  double score(int f) const
+  {
+    const Quad quad = this->quad(f);
+    return area_vector(quad).dot(surface_normal(quad, m_mesh.corner(f, 0))) < 0
+               ? -1
+               : scaled_jacobian(quad);
+  }
+  // the quads that are inverted or oppose the surface, ascending
+  std::vector<int> bad_quads() const
+  {
+    std::vector<int> result;
+    for (int f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (!(score(f) > 0))
+        result.push_back(f);
+    return result;
+  }
+
   // says if the curve on which a movable vertex is, if there is one, permits it to move to a place
   // that it slides to
   bool is_permitted(int v, const Place& place) const
@@ -163,7 +187,7 @@ private:
       Vector normal = Vector::Zero();
       for (const int h : m_corners[v])
         normal += area_vector(quad(m_mesh.face[h]));
-      const double tolerance = 0.25 * edge_length(v);
+      const double tolerance = 1e-6 * edge_length(v);
       m_places.push_back(m_walk.locate(m_mesh.points[v], normal));
       if (is_on_border(v))
         m_places[v] = place_from_inside(v, normal, tolerance);

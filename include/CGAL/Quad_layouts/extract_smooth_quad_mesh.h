@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Quad_layouts authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Quad_layouts authors
+
+#ifndef CGAL_QUAD_LAYOUTS_EXTRACT_SMOOTH_QUAD_MESH_H
+#define CGAL_QUAD_LAYOUTS_EXTRACT_SMOOTH_QUAD_MESH_H
+
+#include <CGAL/Quad_layouts/extract_quad_mesh.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/extract_Smooth_grid.h>
+#include <CGAL/Quad_layouts/smooth_quad_mesh.h>
+
+namespace CGAL {
+namespace Quad_layouts {
+
+/*!
+\ingroup PkgQuadLayoutsFunctions
+
+extracts the quad mesh that an integer-grid map of a layout defines, and moves its vertices so that
+its quads get closer to rectangles.
+
+This is `extract_quad_mesh()` and `smooth_quad_mesh()`, and more than both: where quads are inverted
+or oppose the surface all the same, because they are too large for what lies between their corners,
+like a small hole, the edges of their chords are divided into twice as many parts, and all begins
+again. Each time the lines of the map are followed more closely. The mesh with the fewest such quads
+is taken.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam QuadMesh a model of `MutableFaceGraph`
+\tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParametersSurface a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param map a valid map of a surface onto `layout`
+\param layout the layout
+\param surface the surface that the map was made for
+\param out the mesh that the quads are added to
+\param np_out an optional sequence of the named parameters of `extract_quad_mesh()`, and
+       `number_of_iterations`, `maximum_running_time` and `visitor` as for `smooth_quad_mesh()`
+\param np_surface an optional sequence of \ref bgl_namedparameters "Named Parameters" for `surface`,
+       those of `smooth_quad_mesh()`
+
+\pre `map` maps onto `layout`.
+
+\throw Error one of the exceptions of `extract_quad_mesh()` and `smooth_quad_mesh()`. Nothing has
+been added to `out` then.
+
+The time is that of these two, up to four times, for at most two and a half times as many vertices.
+
+\sa `measure_quad_mesh()`
+*/
+template <class TriangleMesh, class QuadMesh,
+          class NamedParametersOut = parameters::Default_named_parameters,
+          class NamedParametersSurface = parameters::Default_named_parameters>
+void extract_smooth_quad_mesh(
+    const Integer_grid_map& map, const Quad_layout& layout, const TriangleMesh& surface,
+    QuadMesh& out, const NamedParametersOut& np_out = parameters::default_values(),
+    const NamedParametersSurface& np_surface = parameters::default_values())
+{
+  const int number_of_iterations = internal::number_of_smoothing_iterations(np_out);
+  std::vector<int> divisions = internal::number_of_parts(map, layout, np_out);
+  const internal::Monitor monitor = internal::monitor_from(np_out, np_surface);
+  const internal::Smooth_grid grid = monitor.run("smooth_quad_mesh", [&] {
+    const internal::Triangle_surface triangles = internal::surface_with_fixed_edges(surface,
+                                                                                    np_surface);
+    return internal::best_smooth_grid(map, layout, std::move(divisions), triangles,
+                                      number_of_iterations, monitor);
+  });
+  internal::build_mesh(grid.divided, grid.points, out, np_out);
+}
+
+} // namespace Quad_layouts
+} // namespace CGAL
+
+#endif // CGAL_QUAD_LAYOUTS_EXTRACT_SMOOTH_QUAD_MESH_H
