@@ -217,7 +217,7 @@ private:
   void unfold(const std::vector<int>& region)
   {
     constexpr int number_of_sweeps = 60;
-    constexpr double least_epsilon = 1e-3, area_weight = 1;
+    constexpr double least_epsilon = 1e-5, area_weight = 1;
     double length = 0;
     for (const int v : region)
       length += m_quads.edge_length(v) / double(region.size());
