@@ -78,16 +78,19 @@ private:
   {
     constexpr double poor = 0.5;
     const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
-    const auto search_anew = [this](const std::vector<int>& region, int) {
-      unfold(region);
-      search(region);
+    const auto search_anew = [this](double least_epsilon) {
+      return [this, least_epsilon](const std::vector<int>& region, int) {
+        unfold(region, least_epsilon);
+        search(region);
+      };
     };
     std::vector<int> suspects = all_quads();
     for (int rings = 1; rings <= 2; ++rings)
       treat_groups(suspects, poor, rings, search_here);
     for (int rings = 1; rings <= 8; rings *= 2) {
       treat_groups(suspects, 0, rings, search_here);
-      treat_groups(suspects, 0, rings, search_anew);
+      for (const double least_epsilon : {1e-5, 1e-4, 1e-3})
+        treat_groups(suspects, 0, rings, search_anew(least_epsilon));
     }
     shake(suspects);
   }
@@ -213,27 +216,30 @@ private:
   }
 
   // Turns the folded quads of a region back together: the less the worst corner is folded, the more
-  // decisive its part of the regularized distortion becomes (Garanzha et al. 2021).
-  void unfold(const std::vector<int>& region)
+  // decisive its part of the regularized distortion becomes (Garanzha et al. 2021). How much it may
+  // become, in the units of determinants, makes a difference where quads are tiny or slim.
+  void unfold(const std::vector<int>& region, double least_epsilon = 1e-5)
   {
     constexpr int number_of_sweeps = 60;
-    constexpr double least_epsilon = 1e-5, area_weight = 1;
+    constexpr double area_weight = 1;
+    const std::vector<int> quads = quads_at(region);
     double length = 0;
     for (const int v : region)
       length += m_quads.edge_length(v) / double(region.size());
     for (int i = 0; i < number_of_sweeps && m_monitor.has_time("smooth_quad_mesh"); ++i) {
-      const double worst = (std::min)(least_determinant(region, length), 0.);
+      const double worst = (std::min)(least_determinant(quads) / (length * length), 0.);
       const Regularized_distortion measure(std::hypot(least_epsilon, 0.2 * worst), area_weight);
       for (const int v : region)
         m_steps.unfold(v, measure, length);
     }
   }
 
-  double least_determinant(const std::vector<int>& region, double unit)
+  // of the corners of some quads
+  double least_determinant(const std::vector<int>& quads) const
   {
     double result = (std::numeric_limits<double>::infinity)();
-    for (const int v : region)
-      result = (std::min)(result, m_steps.least_determinant(v, unit));
+    for (const int f : quads)
+      result = (std::min)(result, internal::least_determinant(m_quads.quad_on_surface(f)));
     return result;
   }
 

@@ -93,6 +93,7 @@ public:
     return sum / (std::max)(double(m_corners[v].size()), 1.);
   }
   Quad quad(int f) const { return quad_of(m_mesh, f); }
+  Quad_on_surface quad_on_surface(int f) const { return quad_from(m_mesh.first_halfedge[f]); }
 
   // the normal of the triangle nearest to the centre of a quad, one of whose corners is v
   Vector surface_normal(const Quad& quad, int v) const

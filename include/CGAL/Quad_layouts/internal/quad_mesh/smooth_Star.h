@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +38,30 @@ inline double quality(const Quad& quad, const std::array<Eigen::Vector3d, 4>& no
   for (const Eigen::Vector3d& n : normals)
     result = (std::min)(result, own.dot(n));
   return result;
+}
+
+inline Eigen::Vector3d mean_normal(const Quad_on_surface& q)
+{
+  const auto& n = q.normals;
+  return (n[0] + n[1] + n[2] + n[3]).normalized();
+}
+
+// the determinant, about a unit vector, and the squared norm of the two sides at corner k
+inline double determinant(const Quad& q, int k, const Eigen::Vector3d& axis)
+{
+  return (q[(k + 1) & 3] - q[k]).cross(q[(k + 3) & 3] - q[k]).dot(axis);
+}
+inline double squared_norm(const Quad& q, int k)
+{
+  return (q[(k + 1) & 3] - q[k]).squaredNorm() + (q[(k + 3) & 3] - q[k]).squaredNorm();
+}
+
+// the least determinant of the corners, which is an area
+inline double least_determinant(const Quad_on_surface& q)
+{
+  const Eigen::Vector3d axis = mean_normal(q);
+  return (std::min)({determinant(q.quad, 0, axis), determinant(q.quad, 1, axis),
+                     determinant(q.quad, 2, axis), determinant(q.quad, 3, axis)});
 }
 
 // A decreasing, smooth function of a sine or cosine: about 1 / s^2 for positive values, finite
@@ -95,11 +118,7 @@ public:
 
   // adds a quad whose corner 0 is the vertex; its side from corner 0 to corner 1 is an edge of the
   // star
-  void add(const Quad_on_surface& q)
-  {
-    const auto& n = q.normals;
-    m_sectors.push_back({q, (n[0] + n[1] + n[2] + n[3]).normalized(), 1., 1.});
-  }
+  void add(const Quad_on_surface& q) { m_sectors.push_back({q, internal::mean_normal(q), 1., 1.}); }
 
   // adds an edge that is the first side of no quad, because it is on the border
   void add_edge(const Vector& end, const Vector& normal) { m_edges.push_back({end, normal, 1.}); }
@@ -188,16 +207,6 @@ public:
     return sum;
   }
 
-  // the least determinant of the corners of its quads, in units of a squared length
-  double least_determinant(double unit) const
-  {
-    double result = (std::numeric_limits<double>::infinity)();
-    for (const Sector& s : m_sectors)
-      for (int k = 0; k < 4; ++k)
-        result = (std::min)(result, determinant(s.quad, k, s.mean_normal) / (unit * unit));
-    return result;
-  }
-
   // The sum of the distortions of the maps from squares with edges of length `unit` to those
   // corners of the quads that depend on x. It has no unit.
   double distortion(const Vector& x, const Regularized_distortion& measure, double unit) const
@@ -254,16 +263,6 @@ private:
     Vector mean_normal;
     double weight, quality;
   };
-
-  // the determinant, about a unit vector, and the squared norm of the two sides at corner k
-  static double determinant(const Quad& q, int k, const Vector& axis)
-  {
-    return (q[(k + 1) & 3] - q[k]).cross(q[(k + 3) & 3] - q[k]).dot(axis);
-  }
-  static double squared_norm(const Quad& q, int k)
-  {
-    return (q[(k + 1) & 3] - q[k]).squaredNorm() + (q[(k + 3) & 3] - q[k]).squaredNorm();
-  }
 
   static constexpr std::array<int, 3> moving_corners = {0, 1, 3}; // of quads, whose sides end at x
 

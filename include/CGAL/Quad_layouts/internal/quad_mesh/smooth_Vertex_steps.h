@@ -55,13 +55,6 @@ public:
              [&](const Vector& x) { return m_star.permits(x) && energy(x) < before; });
   }
 
-  // the least determinant of the corners of the quads around v, in units of a squared length
-  double least_determinant(int v, double unit)
-  {
-    m_quads.gather_star(v, m_star);
-    return m_star.least_determinant(unit);
-  }
-
   // makes a Newton step on the distortion of the quads around v, by which some may turn over
   void unfold(int v, const Regularized_distortion& measure, double unit)
   {
