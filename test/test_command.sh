@@ -152,7 +152,7 @@ done
 for key in input vertices faces euler components borders route singularities_in singularities_out patches \
            t_junctions quads msj_min msj_avg patches_floor t_mesh nodes arcs traces program variables \
            constraints indicators objective bound gap status rounds map triangles inverted \
-           wrong_winding seconds field trace quantize extract embed quad_mesh smooth total; do
+           wrong_winding seconds field trace quantize extract embed smooth total; do
   grep -q "\"$key\":" result/stats.json || fail "stats.json has no $key"
 done
 grep -q '"patches": 6,' result/stats.json || fail "stats.json does not say 6 patches"
