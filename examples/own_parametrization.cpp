@@ -4,8 +4,9 @@
 //
 // Author(s) : The Quad_layouts authors
 
-// Makes a seamless parametrization of coordinates that the program knows itself: a tube is unrolled,
-// and the triangles on both sides of the cut have charts that differ by the circumference.
+// Makes a seamless parametrization of coordinates that the program knows itself: a tube is
+// unrolled, and the triangles on both sides of the cut have charts that differ by the
+// circumference.
 
 #include <CGAL/Quad_layouts/make_seamless_parametrization.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>

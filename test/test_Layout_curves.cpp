@@ -15,6 +15,9 @@
 #include <CGAL/Quad_layouts/internal/embedding/check_embedded_layout.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_Layout_curves)
@@ -30,6 +33,23 @@ namespace {
 Embedded_layout drawn(const Embedding_case& c)
 {
   return QL::internal::Layout_curves(c.t_mesh, c.layout, QL::internal::Monitor()).result();
+}
+
+// checks that each cluster is at one of its singularities, the most like it in index of its kind
+void check_places_of_clusters(const Embedded_layout& e, const Quad_layout& layout,
+                              const QL::T_mesh& t_mesh)
+{
+  for (const Quad_layout::Cluster& cluster : layout.clusters) {
+    const auto place = std::find_if(cluster.nodes.begin(), cluster.nodes.end(), [&](int n) {
+      return t_mesh.surface_vertex(n) == e.vertices[cluster.vertex];
+    });
+    BOOST_REQUIRE((place != cluster.nodes.end()));
+    const auto difference = [&](int n) { return std::abs(t_mesh.index(n) - cluster.index); };
+    for (const int n : cluster.nodes)
+      if (t_mesh.number_of_fixed_arcs(n) == t_mesh.number_of_fixed_arcs(*place) &&
+          t_mesh.index(n) != 0)
+        BOOST_TEST(difference(n) >= difference(*place));
+  }
 }
 
 // checks that the curves lead from vertex to vertex and meet nowhere else, and that no other edge
@@ -114,14 +134,25 @@ BOOST_AUTO_TEST_CASE(layouts_are_drawn)
       const Triangle_surface surface(e.mesh.points, e.mesh.triangles()); // throws unless manifold
       check_curves(e, c.layout);
       check_regions(e, c.layout);
-      // singularities are at their vertices
-      for (const Quad_layout::Cluster& cluster : c.layout.clusters) {
-        bool is_member = false;
-        for (const int n : cluster.nodes)
-          is_member |= c.t_mesh.surface_vertex(n) == e.vertices[cluster.vertex];
-        BOOST_TEST(is_member);
-      }
+      check_places_of_clusters(e, c.layout, c.t_mesh);
     }
+}
+
+// Where all corners of a hole merge, their place is one with room for the quads around it, not the
+// corner where only one quad fits, although that is the first of the vertices.
+BOOST_AUTO_TEST_CASE(clusters_are_where_there_is_room)
+{
+  const std::vector<std::array<int, 2>> hole = {{3, 3}, {4, 3}, {3, 4}};
+  std::vector<std::array<int, 2>> cells = {{4, 4}};
+  for (int x = 0; x < 9; ++x)
+    for (int y = 0; y < 9; ++y)
+      if (std::find(hole.begin(), hole.end(), std::array<int, 2>{x, y}) == hole.end() &&
+          (x != 4 || y != 4))
+        cells.push_back({x, y});
+  const Embedding_case c("plate with a hole", generated::plate(cells, 4), 4);
+  BOOST_TEST(std::any_of(c.layout.clusters.begin(), c.layout.clusters.end(),
+                         [](const Quad_layout::Cluster& x) { return x.nodes.size() > 1; }));
+  check_places_of_clusters(drawn(c), c.layout, c.t_mesh);
 }
 
 // Each unit of the sides ends at a vertex of the surface, although (15 / 26.) * 26 is not 15.

@@ -337,8 +337,8 @@ BOOST_AUTO_TEST_CASE(bends_are_followed)
   BOOST_TEST(farthest < 1e-3 * std::sqrt(8.));
 }
 
-// Corners of two holes face each other. The edges between them have room to bend, however long edges
-// are to be.
+// Corners of two holes face each other. The edges between them have room to bend, however long
+// edges are to be.
 BOOST_AUTO_TEST_CASE(edges_between_corners_are_divided)
 {
   Mesh mesh = generated::plate_with_holes(5, 3, {{1, 1}, {3, 1}}, 2);

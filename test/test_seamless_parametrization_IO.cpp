@@ -104,8 +104,8 @@ void check_round_trip(Mesh mesh)
   }
 }
 
-// a square of n x n squares, and coordinates for the corner at the target of each halfedge: at first
-// those of the points, times a scale
+// a square of n x n squares, and coordinates for the corner at the target of each halfedge: at
+// first those of the points, times a scale
 struct Square
 {
   explicit Square(int n, double scale = 1) : mesh(generated::plate({{0, 0}}, n))

@@ -51,8 +51,8 @@ computes the T-mesh of a cross field, in the field itself or by way of a seamles
 By the route `FIELD` it runs `trace_motorcycle_graph()`. By the route `PARAMETRIZATION` it runs
 `parametrize_seamlessly()` first, and traces in the result, where lengths agree everywhere. If no
 locally injective parametrization is found, or not in half of the time, it tells the visitor, and
-goes on by the route `FIELD`. `T_mesh::route` says which one it was. Layouts by a parametrization have
-fewer patches; but it takes long for large surfaces and many singularities, for which the route
+goes on by the route `FIELD`. `T_mesh::route` says which one it was. Layouts by a parametrization
+have fewer patches; but it takes long for large surfaces and many singularities, for which the route
 `AUTOMATIC` is `FIELD`.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

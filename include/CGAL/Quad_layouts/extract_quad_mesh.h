@@ -95,9 +95,9 @@ exactly.
 
 All edges of a chord have the same number of parts: their length in the map, or what comes closest
 to `target_edge_length`. It is raised where the mesh would have loops or several edges between two
-vertices, where fixed curves bend so much that fewer edges could not follow them, within a thousandth
-of the diagonal of the surface's bounding box, and where an edge would join two corners of fixed
-curves, which stay where they are, and might leave the quads beside it no room.
+vertices, where fixed curves bend so much that fewer edges could not follow them, within a
+thousandth of the diagonal of the surface's bounding box, and where an edge would join two corners
+of fixed curves, which stay where they are, and might leave the quads beside it no room.
 
 \tparam QuadMesh a model of `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

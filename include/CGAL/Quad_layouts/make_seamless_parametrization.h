@@ -50,12 +50,12 @@ makes a `Seamless_parametrization` of coordinates that the corners of triangles 
 elsewhere.
 
 The two sides of each edge must be the same vector up to quarter-turns, and fixed edges, as those on
-the border, must have a constant coordinate; an error of a thousandth of the mean length of the edges
-in the map is taken as rounding. The result has exact coordinates nearby: those that the relations
-leave free are rounded to integers, and the others follow (Mandad and Campen, <em>Exact constraint
-satisfaction for truly seamless parametrization</em>, 2019). Cones are where the triangles around a
-vertex cover another angle than elsewhere. Triangles that are inverted or flat are counted, but not
-refused.
+the border, must have a constant coordinate; an error of a thousandth of the mean length of the
+edges in the map is taken as rounding. The result has exact coordinates nearby: those that the
+relations leave free are rounded to integers, and the others follow (Mandad and Campen, <em>Exact
+constraint satisfaction for truly seamless parametrization</em>, 2019). Cones are where the
+triangles around a vertex cover another angle than elsewhere. Triangles that are inverted or flat
+are counted, but not refused.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam CornerMap a model of `ReadablePropertyMap` with the halfedge descriptor of `TriangleMesh` as
@@ -90,8 +90,8 @@ refused.
 
 \throw Invalid_mesh if the mesh cannot be used; the derived class says why.
 \throw Invalid_parameter if `target_edge_length` is out of its range.
-\throw Invalid_parametrization if coordinates are not finite, the map is not seamless, or a fixed edge
-       has no constant coordinate; the worst edge is named.
+\throw Invalid_parametrization if coordinates are not finite, the map is not seamless, or a fixed
+       edge has no constant coordinate; the worst edge is named.
 \throw Stage_failure if the relations need numbers that are too large.
 
 The time is linear but for the relations along the seams, of which each is put into the others.

@@ -111,8 +111,8 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
 
 remeshes a triangle mesh with quadrilaterals, on a simple quad layout.
 
-It runs all stages, from `compute_cross_field()` to `extract_smooth_quad_mesh()`, and passes `np` to each of
-them.
+It runs all stages, from `compute_cross_field()` to `extract_smooth_quad_mesh()`, and passes `np` to
+each of them.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam QuadMesh a model of `MutableFaceGraph`

@@ -35,7 +35,8 @@ its corners have these coordinates `vt`.
 \param tm the mesh, whose vertices and faces have the order of the file, as if read from it
 \param np an optional sequence of the named parameters of `make_seamless_parametrization()`
 
-\throw Invalid_file if the text is no OBJ file of this mesh with texture coordinates for all corners.
+\throw Invalid_file if the text is no OBJ file of this mesh with texture coordinates for all
+       corners.
 \throw Error one of the exceptions of `make_seamless_parametrization()`.
 
 The time is that of `make_seamless_parametrization()`.

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Reads the texture coordinates of an OBJ file for the corners of a surface, whose faces are those of
-// the file.
+// Reads the texture coordinates of an OBJ file for the corners of a surface, whose faces are those
+// of the file.
 class Texture_reader
 {
 public:

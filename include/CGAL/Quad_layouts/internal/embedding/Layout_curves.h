@@ -73,8 +73,8 @@ private:
   enum Place : char { OUTSIDE, INSIDE, RIM, PATH };
 
   // A cone must be where the layout vertex is irregular; preferred is one whose index comes closest
-  // to the layout vertex's, because there is room for its quads. Those of the layout on fixed curves
-  // must be on these, and where curves meet, if there is such a place.
+  // to the layout vertex's, because there is room for its quads. Those of the layout on fixed
+  // curves must be on these, and where curves meet, if there is such a place.
   void choose_vertices(const Curve_mesh& mesh)
   {
     m_vertex.assign(m_layout.number_of_vertices(), -1);
@@ -83,12 +83,10 @@ private:
         m_vertex[m_owner[v]] = v;
     for (const Quad_layout::Cluster& c : m_layout.clusters) {
       const auto rank = [&](int n) {
-        const int fixed = m_t_mesh.number_of_fixed_arcs(n);
-        const int index = m_t_mesh.index(n);
-        return std::make_tuple(fixed == 0   ? 0
-                               : fixed == 2 ? 1
-                                            : 2,
-                               index != 0 || c.index == 0, -std::abs(index - c.index));
+        const int fixed = m_t_mesh.number_of_fixed_arcs(n), index = m_t_mesh.index(n);
+        const bool is_on_curve = fixed > 0, is_meeting = is_on_curve && fixed != 2;
+        return std::make_tuple(is_on_curve, is_meeting, index != 0 || c.index == 0,
+                               -std::abs(index - c.index));
       };
       const int node = *std::max_element(c.nodes.begin(), c.nodes.end(),
                                          [&](int m, int n) { return rank(m) < rank(n); });

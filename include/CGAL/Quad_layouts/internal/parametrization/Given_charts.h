@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A parametrization as it comes from elsewhere: each triangle has a chart, in which its corners have
-// coordinates. If it is seamless, then the two sides of an edge are the same vector up to
+// A parametrization as it comes from elsewhere: each triangle has a chart, in which its corners
+// have coordinates. If it is seamless, then the two sides of an edge are the same vector up to
 // quarter-turns and rounding.
 class Given_charts
 {
@@ -66,8 +66,8 @@ public:
     return {turns, corner(same) - Transition::turned(corner(h), turns)};
   }
 
-  // throws if a coordinate is not finite, the sides of an edge differ, or a fixed edge runs along no
-  // axis
+  // throws if a coordinate is not finite, the sides of an edge differ, or a fixed edge runs along
+  // no axis
   void check() const
   {
     check_corners();

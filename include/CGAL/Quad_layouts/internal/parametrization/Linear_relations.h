@@ -27,13 +27,13 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Homogeneous linear equations with rational coefficients, solved exactly: as many unknowns as there
-// are independent equations become combinations of the other ones, which are free (compare Mandad and
-// Campen, "Exact constraint satisfaction for truly seamless parametrization", 2019).
+// Homogeneous linear equations with rational coefficients, solved exactly: as many unknowns as
+// there are independent equations become combinations of the other ones, which are free (compare
+// Mandad and Campen, "Exact constraint satisfaction for truly seamless parametrization", 2019).
 //
 // Combinations are kept short: the next to become one is always the unknown whose substitution adds
-// fewest terms to the others (Markowitz, "The elimination form of the inverse and its application to
-// linear programming", 1957).
+// fewest terms to the others (Markowitz, "The elimination form of the inverse and its application
+// to linear programming", 1957).
 class Linear_relations
 {
 public:
@@ -93,8 +93,8 @@ public:
 
 private:
   // What it costs to let an unknown be determined by a row: large coefficients, as others grow by
-  // them, and how many terms the rows get at most: those that are not solved yet, which hand them on,
-  // and all. Halves and doubles are not large: were they avoided, combinations would get long.
+  // them, and how many terms the rows get at most: those that are not solved yet, which hand them
+  // on, and all. Halves and doubles are not large: were they avoided, combinations would get long.
   using Cost = std::tuple<std::int64_t, std::size_t, std::size_t>;
 
   Cost cost(const Combination& equation, const Combination::value_type& term) const

@@ -26,11 +26,11 @@ namespace internal {
 // The unknowns of a seamless parametrization, and how they depend on free ones.
 //
 // A *wedge* is what the cut graph leaves of the star of a vertex; all its corners have the same
-// coordinates, unknowns 2w and 2w + 1. Along each *seam*, a chain of cut edges, one motion takes the
-// points on its one side to those on the other: quarter-turns, which are known, and a translation,
-// which is two more unknowns. They keep the relations short, as each point depends on its partner and
-// the translation, but not on other points of the seam. Fixed edges keep a coordinate, and the first
-// corner of each component is the origin. Nothing else is demanded.
+// coordinates, unknowns 2w and 2w + 1. Along each *seam*, a chain of cut edges, one motion takes
+// the points on its one side to those on the other: quarter-turns, which are known, and a
+// translation, which is two more unknowns. They keep the relations short, as each point depends on
+// its partner and the translation, but not on other points of the seam. Fixed edges keep a
+// coordinate, and the first corner of each component is the origin. Nothing else is demanded.
 class Seam_constraints
 {
 public:

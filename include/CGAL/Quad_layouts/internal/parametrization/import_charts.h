@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// the coordinates of vertex v of `divided` in the chart of face f of the whole surface, in which, or
-// on an edge of which, it lies
+// the coordinates of vertex v of `divided` in the chart of face f of the whole surface, in which,
+// or on an edge of which, it lies
 inline Point2 coordinates_in_face(const Given_charts& whole, const Triangle_surface& divided, int f,
                                   int v)
 {

@@ -7,7 +7,9 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_SMOOTH_GRID_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUAD_MESH_EXTRACT_SMOOTH_GRID_H
 
+#include <CGAL/Quad_layouts/Integer_grid_map.h>
 #include <CGAL/Quad_layouts/internal/Monitor.h>
+#include <CGAL/Quad_layouts/internal/layout/divided_layout.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_Layout_tracer.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_build_mesh.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_grid_points.h>
@@ -18,6 +20,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <set>
 #include <utility>
 #include <vector>
@@ -31,7 +36,8 @@ struct Smooth_grid
 {
   Divided_layout divided;
   std::vector<Eigen::Vector3d> points; // per vertex of `divided`
-  std::vector<int> bad_quads;          // inverted, or opposing the surface; in order
+  std::size_t number_of_bad_quads;     // which are inverted or oppose the surface
+  std::set<int> bad_chords;            // those through bad quads
 };
 
 // the quads of a divided layout with the edges on its fixed curves marked
@@ -47,6 +53,21 @@ inline Polygons polygons_of(const Divided_layout& divided,
   return result;
 }
 
+// returns the chords of the layout that run through some quads of the grid
+inline std::set<int> chords_through(const std::vector<int>& quads, const Divided_layout& divided)
+{
+  const Quad_layout& layout = divided.layout();
+  std::vector<int> face_of_quad;
+  divided.for_each_quad([&](int f, const auto&) { face_of_quad.push_back(f); });
+  std::set<int> result;
+  for (const int q : quads) {
+    const int h = layout.halfedge_of(face_of_quad[q]);
+    result.insert(layout.chord(Quad_layout::edge(h)));
+    result.insert(layout.chord(Quad_layout::edge(layout.next(h))));
+  }
+  return result;
+}
+
 inline Smooth_grid smooth_grid(const Integer_grid_map& map, const Quad_layout& layout,
                                const std::vector<int>& divisions, const Surface_walk& walk,
                                int number_of_iterations, const Monitor& monitor)
@@ -56,28 +77,13 @@ inline Smooth_grid smooth_grid(const Integer_grid_map& map, const Quad_layout& l
                                   grid_points(Layout_tracer(map, layout, divisions), divided));
   Quad_smoother smoother(polygons, walk);
   smoother.run(number_of_iterations, monitor);
-  std::vector<int> bad_quads = smoother.bad_quads();
-  return {std::move(divided), std::move(polygons.points), std::move(bad_quads)};
+  const std::vector<int> bad_quads = smoother.bad_quads();
+  std::set<int> bad_chords = chords_through(bad_quads, divided);
+  return {std::move(divided), std::move(polygons.points), bad_quads.size(), std::move(bad_chords)};
 }
 
-// divides the edges of the chords through the bad quads of a grid into twice as many parts
-inline void refine_at_bad_quads(const Smooth_grid& grid, std::vector<int>& divisions)
-{
-  const Quad_layout& layout = grid.divided.layout();
-  std::vector<int> face_of_quad;
-  grid.divided.for_each_quad([&](int f, const auto&) { face_of_quad.push_back(f); });
-  std::set<int> chords;
-  for (const int q : grid.bad_quads) {
-    const int h = layout.halfedge_of(face_of_quad[q]);
-    chords.insert(layout.chord(Quad_layout::edge(h)));
-    chords.insert(layout.chord(Quad_layout::edge(layout.next(h))));
-  }
-  for (const int c : chords)
-    divisions[c] *= 2;
-}
-
-// Returns the grid with the fewest bad quads of those that refinement leads to, as long as it does
-// not get much finer by that.
+// Divides the edges of bad chords into twice as many parts, again and again as long as there are
+// any and the grid does not get much finer. Returns the grid with the fewest bad quads.
 inline Smooth_grid best_smooth_grid(const Integer_grid_map& map, const Quad_layout& layout,
                                     std::vector<int> divisions, const Triangle_surface& surface,
                                     int number_of_iterations, const Monitor& monitor)
@@ -88,17 +94,19 @@ inline Smooth_grid best_smooth_grid(const Integer_grid_map& map, const Quad_layo
   const auto smoothed = [&] {
     return smooth_grid(map, layout, divisions, walk, number_of_iterations, monitor);
   };
-  Smooth_grid best = smoothed(), latest = best;
+  Smooth_grid best = smoothed();
   const double most_vertices = greatest_growth * double(best.points.size());
-  for (int i = 0;
-       i < number_of_refinements && !best.bad_quads.empty() && monitor.has_time("smooth_quad_mesh");
-       ++i) {
-    refine_at_bad_quads(latest, divisions);
-    if (Divided_layout(layout, divisions).number_of_vertices() > most_vertices)
+  std::set<int> bad_chords = best.bad_chords;
+  for (int i = 0; i < number_of_refinements && !bad_chords.empty(); ++i) {
+    for (const int c : bad_chords)
+      divisions[c] *= 2;
+    if (Divided_layout(layout, divisions).number_of_vertices() > most_vertices ||
+        !monitor.has_time("smooth_quad_mesh"))
       break;
-    latest = smoothed();
-    if (latest.bad_quads.size() < best.bad_quads.size())
-      best = latest;
+    Smooth_grid finer = smoothed();
+    bad_chords = finer.bad_chords;
+    if (finer.number_of_bad_quads < best.number_of_bad_quads)
+      best = std::move(finer);
   }
   return best;
 }

@@ -21,7 +21,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -66,14 +68,18 @@ public:
   // anew, which is with better surroundings, as long as this makes fewer quads bad.
   void repair()
   {
-    int before;
+    std::size_t before, after = m_quads.bad_quads().size();
     do {
-      before = int(m_quads.bad_quads().size());
+      before = after;
       repair_once();
-    } while (before > 0 && int(m_quads.bad_quads().size()) < before);
+      after = m_quads.bad_quads().size();
+    } while (after > 0 && after < before);
   }
 
 private:
+  // the least that determinants, in units of the area of a quad, are regularized with
+  static constexpr std::array<double, 3> least_epsilons = {1e-5, 1e-4, 1e-3};
+
   void repair_once()
   {
     constexpr double poor = 0.5;
@@ -89,7 +95,7 @@ private:
       treat_groups(suspects, poor, rings, search_here);
     for (int rings = 1; rings <= 8; rings *= 2) {
       treat_groups(suspects, 0, rings, search_here);
-      for (const double least_epsilon : {1e-5, 1e-4, 1e-3})
+      for (const double least_epsilon : least_epsilons)
         treat_groups(suspects, 0, rings, search_anew(least_epsilon));
     }
     shake(suspects);
@@ -216,9 +222,9 @@ private:
   }
 
   // Turns the folded quads of a region back together: the less the worst corner is folded, the more
-  // decisive its part of the regularized distortion becomes (Garanzha et al. 2021). How much it may
-  // become, in the units of determinants, makes a difference where quads are tiny or slim.
-  void unfold(const std::vector<int>& region, double least_epsilon = 1e-5)
+  // decisive its part of the regularized distortion becomes (Garanzha et al. 2021). Where quads are
+  // tiny or slim it depends on `least_epsilon` what this leads to.
+  void unfold(const std::vector<int>& region, double least_epsilon = least_epsilons.front())
   {
     constexpr int number_of_sweeps = 60;
     constexpr double area_weight = 1;

@@ -188,28 +188,26 @@ private:
       Vector normal = Vector::Zero();
       for (const int h : m_corners[v])
         normal += area_vector(quad(m_mesh.face[h]));
-      const double tolerance = 1e-6 * edge_length(v);
       m_places.push_back(m_walk.locate(m_mesh.points[v], normal));
       if (is_on_border(v))
-        m_places[v] = place_from_inside(v, normal, tolerance);
+        m_places[v] = place_from_inside(v, normal);
       if (is_on_curve(v))
         m_places[v] = m_walk.nearest_on_fixed_edges(m_places[v]);
       m_normals[v] = m_walk.normal(m_places[v]);
     }
   }
 
-  // The place of a vertex on the border to which a way on the surface leads from its quads, if it is
-  // not much farther away than the place that it has: the two sides of a slit may be in one place.
-  Place place_from_inside(int v, const Vector& normal, double tolerance) const
+  // The place of a vertex on the border to which a way on the surface leads from its quads, if it
+  // is at the same point as the place that it has, up to rounding: so are the two sides of a slit.
+  Place place_from_inside(int v, const Vector& normal) const
   {
     Vector centre = Vector::Zero();
     for (const int h : m_corners[v])
       for (const Vector& corner : quad(m_mesh.face[h]))
         centre += corner / (4 * double(m_corners[v].size()));
-    const Vector& p = m_mesh.points[v];
-    const Place result = m_walk.slide(m_walk.locate(centre, normal), p);
-    return (result.point - p).norm() <= (m_places[v].point - p).norm() + tolerance ? result
-                                                                                   : m_places[v];
+    const Place result = m_walk.slide(m_walk.locate(centre, normal), m_mesh.points[v]);
+    const double rounding = 1e-6 * edge_length(v);
+    return (result.point - m_places[v].point).norm() <= rounding ? result : m_places[v];
   }
 
   bool is_on_border(int v) const

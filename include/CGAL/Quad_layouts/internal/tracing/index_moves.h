@@ -33,8 +33,8 @@ struct Index_move
   void undo(Labels& labels) const { labels.set(halfedge, labels.quadrant(halfedge) - shift); }
 };
 
-// whether a move leaves its face valid, and makes no vertex slim, or of a valence that quad meshes do
-// not have
+// whether a move leaves its face valid, and makes no vertex slim, or of a valence that quad meshes
+// do not have
 inline bool is_legal(const Index_move& move, Labels& labels)
 {
   const Triangle_surface& surface = labels.surface();
