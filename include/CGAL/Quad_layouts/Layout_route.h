@@ -18,7 +18,7 @@ names the ways from a cross field to a T-mesh, see `compute_t_mesh()`.
 enum Layout_route {
   FIELD,           ///< traces run along the directions of the field
   PARAMETRIZATION, ///< traces are lines of constant coordinates of a seamless parametrization
-  AUTOMATIC ///< `PARAMETRIZATION` up to 100,000 triangles and 300 singularities, `FIELD` beyond
+  AUTOMATIC ///< `PARAMETRIZATION` up to 100,000 triangles and 1,000 singularities, `FIELD` beyond
 };
 
 } // namespace Quad_layouts

@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/Seamless_parametrization.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/internal/Deviation_limits.h>
+#include <CGAL/Quad_layouts/internal/parametrization/Index_repair.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Seamless_optimization.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Target_lengths.h>
 #include <CGAL/Quad_layouts/internal/require_parameter.h>
@@ -26,9 +27,12 @@ inline Seamless_parametrization seamless_parametrization(const Cross_field& fiel
                                                          const Target_lengths& lengths,
                                                          int most_steps, const Monitor& monitor)
 {
-  Seamless_optimization optimization(field, lengths, most_steps, monitor);
-  optimization.align();
-  return optimization.repaired_result();
+  const auto parametrize = [&](const Cross_field& any) {
+    Seamless_optimization optimization(any, lengths, most_steps, monitor);
+    optimization.align();
+    return optimization.repaired_result();
+  };
+  return Index_repair(field, parametrize).run();
 }
 
 } // namespace internal
@@ -47,9 +51,12 @@ surface get a constant coordinate. Then inverted triangles are turned back by th
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
 unknowns of the seamless maps, so that the map stays seamless. Vertices around which triangles cover
 the wrong angle get their triangles spread over the right one first, and then the same is done
-again. At last coordinates are rounded to integer multiples of a power of two that satisfy all
-relations exactly (Mandad and Campen, <em>Exact constraint satisfaction for truly seamless
-parametrization</em>, 2019), which is verified in integers.
+again. Where a few defects are left, quarters of index are moved to neighbours of the vertices that
+miss their angles, and the work begins anew, with its progress, until there are none, or no move
+helps: the singularities of the result may differ from those of the field there. At last coordinates
+are rounded to integer multiples of a power of two that satisfy all relations exactly (Mandad and
+Campen, <em>Exact constraint satisfaction for truly seamless parametrization</em>, 2019), which is
+verified in integers.
 
 The result counts what is not locally injective. There need not be a locally injective map for every
 field and mesh, and not every one that there is will be found.
@@ -102,7 +109,8 @@ are too large.
 \throw Time_limit_exceeded if the work is not done within `maximum_running_time`.
 \throw Cancelled if the visitor asks to stop.
 
-The time is dominated by one sparse factorization for each step.
+The time is dominated by one sparse factorization for each step. Moves of indices are tried with no
+more than 500,000 triangles in sum.
 */
 template <class NamedParameters = parameters::Default_named_parameters>
 Seamless_parametrization parametrize_seamlessly(

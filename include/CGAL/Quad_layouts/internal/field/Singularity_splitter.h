@@ -43,7 +43,7 @@ public:
     for (bool moved = true; moved;) {
       moved = false;
       for (int v = 0; v < m_surface.number_of_vertices(); ++v)
-        while (is_strong(v) && move_a_quarter(v)) {
+        while (is_strong(m_index[v]) && move_a_quarter(v)) {
           changed.push_back(v);
           moved = true;
         }
@@ -55,9 +55,6 @@ public:
   }
 
 private:
-  // valences 0, 1 and 2, and those of 8 and more; on the border, no quad or more than five
-  bool is_strong(int v) const { return m_index[v] >= 2 || m_index[v] <= -4; }
-
   // moves a quarter of the index of v to the neighbour where this helps most, and, of equals,
   // turns the field least; returns false if it helps nowhere
   bool move_a_quarter(int v)

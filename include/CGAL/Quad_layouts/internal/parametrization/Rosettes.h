@@ -8,6 +8,8 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_PARAMETRIZATION_ROSETTES_H
 
 #include <CGAL/Quad_layouts/Cross_field.h>
+#include <CGAL/Quad_layouts/internal/field/Face_connection.h>
+#include <CGAL/Quad_layouts/internal/field/Jump_field.h>
 #include <CGAL/Quad_layouts/internal/field/sectors.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Aligned_energy.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Cut_graph.h>
@@ -37,16 +39,8 @@ class Rosettes
 public:
   Rosettes(const Cross_field& field, const Cut_graph& cut, double edge_length)
     : m_field(field), m_surface(field.surface()), m_cut(cut), m_edge_length(edge_length),
-      m_connection(m_surface)
+      m_jump_field(field)
   {
-    for (int f = 0; f < m_surface.number_of_faces(); ++f)
-      m_angles.push_back(field.angle(f));
-    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
-      m_jumps.push_back(field.matching(h));
-    for (int h = 0; h < m_surface.number_of_halfedges(); ++h)
-      if (!m_surface.is_border(h))
-        m_jumps[h] -= 4 * int(std::lround(rotation(m_connection, m_angles, m_jumps, h) /
-                                          (4 * right_angle)));
   }
 
   // makes the triangles around v strive for their shapes
@@ -78,7 +72,7 @@ private:
     double direction = 0;
     std::vector<Petal> result;
     m_surface.for_each_outgoing(v, [&](int h) {
-      const double end = direction + m_connection.corner_angle(h) * widening(h);
+      const double end = direction + connection().corner_angle(h) * widening(h);
       const int leaving = Triangle_surface::prev(h);
       result.push_back({h, direction, end});
       if (!m_surface.is_border(leaving))
@@ -87,15 +81,17 @@ private:
     return result;
   }
 
+  const Face_connection& connection() const { return m_jump_field.connection(); }
+
   // how much wider the corner of h has to be in the map than on the surface
   double widening(int h) const
   {
     const int sector = sector_of(m_surface, h), v = m_surface.source(h);
     if (sector >= 0)
-      return number_of_quadrants(m_connection, m_angles, m_jumps, sector) * right_angle /
-             sector_angle(m_connection, sector);
+      return m_jump_field.number_of_quadrants(sector) * right_angle /
+             sector_angle(connection(), sector);
     double sum = 0;
-    m_surface.for_each_outgoing(v, [&](int g) { sum += m_connection.corner_angle(g); });
+    m_surface.for_each_outgoing(v, [&](int g) { sum += connection().corner_angle(g); });
     return (4 - m_field.index(v)) * right_angle / sum;
   }
 
@@ -123,9 +119,7 @@ private:
   const Triangle_surface& m_surface;
   const Cut_graph& m_cut;
   double m_edge_length;
-  Face_connection m_connection;
-  std::vector<double> m_angles;
-  std::vector<int> m_jumps; // those that fit the matchings and let the field turn least
+  Jump_field m_jump_field;
 };
 
 } // namespace internal

@@ -88,11 +88,6 @@ public:
   }
 
 private:
-  static int number_of_defects(const Seamless_parametrization& map)
-  {
-    return map.inverted + map.wrong_winding;
-  }
-
   void untangle()
   {
     constexpr double barrier = 0.1;

@@ -89,6 +89,12 @@ inline std::vector<int> wrong_windings(const Seamless_parametrization& map)
   return result;
 }
 
+// how much is wrong with a map
+inline int number_of_defects(const Seamless_parametrization& map)
+{
+  return map.inverted + map.wrong_winding;
+}
+
 } // namespace internal
 } // namespace Quad_layouts
 } // namespace CGAL
