@@ -9,6 +9,7 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
+#include <CGAL/Quad_layouts/internal/field/Jump_field.h>
 #include <CGAL/Quad_layouts/parametrize_seamlessly.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
