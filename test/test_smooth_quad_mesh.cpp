@@ -276,6 +276,36 @@ BOOST_AUTO_TEST_CASE(border_vertices_begin_where_they_are)
     BOOST_TEST((on_surface.place(v).point - before.points[v]).norm() < 1e-12);
 }
 
+// Two corners of the border with more than 180 degrees have one quad each, which nothing can mend,
+// near to each other. The search for better places must end all the same.
+BOOST_AUTO_TEST_CASE(search_ends_where_nothing_helps)
+{
+  constexpr int width = 5, height = 3;
+  const auto vertex = [&](int x, int y) { return y * (width + 1) + x; };
+  std::vector<Point> points;
+  std::vector<std::vector<int>> squares;
+  for (int y = 0; y <= height; ++y)
+    for (int x = 0; x <= width; ++x)
+      points.emplace_back(x, y, 0);
+  points[vertex(0, 0)] = {0.8, 0.8, 0};
+  points[vertex(width, 0)] = {width - 0.8, 0.8, 0};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      squares.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+  Mesh mesh = generated::mesh_of_polygons(points, squares);
+  const Mesh surface = generated::triangulated(mesh);
+
+  struct Impatient : QL::Default_visitor
+  {
+    int questions_left = 20000;
+    bool go_on() { return --questions_left > 0; }
+  };
+  Impatient visitor;
+  BOOST_CHECK_NO_THROW(
+      QL::smooth_quad_mesh(mesh, surface, QL::parameters::visitor(std::ref(visitor))));
+  BOOST_TEST(QL::measure_quad_mesh(mesh).inverted_quads == 2);
+}
+
 BOOST_AUTO_TEST_CASE(borders_stay)
 {
   const Mesh before = generated::quad_torus(24, 12, false);

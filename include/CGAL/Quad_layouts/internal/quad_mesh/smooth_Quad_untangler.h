@@ -137,9 +137,14 @@ private:
     for (const int v : vertices)
       for (const int h : m_quads.corners(v))
         result.push_back(m_quads.mesh().face[h]);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    sort_and_unify(result);
     return result;
+  }
+
+  static void sort_and_unify(std::vector<int>& quads)
+  {
+    std::sort(quads.begin(), quads.end());
+    quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
   }
 
   // Groups those of some quads whose score is at most `threshold`: if they have a common corner,
@@ -171,7 +176,8 @@ private:
   }
 
   // Makes an attempt for each group of bad quads among `suspects`, and replaces these by the quads
-  // that may be bad now.
+  // that may be bad now: these groups, even where nothing of them can move, and those around, each
+  // once.
   template <class Attempt>
   void treat_groups(std::vector<int>& suspects, double threshold, int rings, const Attempt& attempt)
   {
@@ -186,8 +192,10 @@ private:
       if (!(badness(quads, threshold) < before))
         for (std::size_t i = 0; i < region.size(); ++i)
           m_quads.move(region[i], old[i]);
+      treated.insert(treated.end(), group.begin(), group.end());
       treated.insert(treated.end(), quads.begin(), quads.end());
     }
+    sort_and_unify(treated);
     suspects.swap(treated);
   }
 
