@@ -110,7 +110,7 @@ are too large.
 \throw Cancelled if the visitor asks to stop.
 
 The time is dominated by one sparse factorization for each step. Moves of indices are tried with no
-more than 500,000 triangles in sum.
+more than 100,000 triangles in sum.
 */
 template <class NamedParameters = parameters::Default_named_parameters>
 Seamless_parametrization parametrize_seamlessly(
