@@ -57,7 +57,7 @@ public:
   {
     return !m_surface->is_fixed(h) && !is_strong(m_index[m_surface->source(h)] - 1) &&
            !is_strong(m_index[m_surface->target(h)] + 1) &&
-           !would_close_a_sector(m_surface->opposite(h));
+           !is_in_narrow_sector(m_connection, m_angles, m_jumps, m_surface->opposite(h));
   }
 
   // how much the field then turns at the edge
@@ -70,13 +70,6 @@ public:
   void undo_move(int h) { change_jump(h, -1); }
 
 private:
-  bool would_close_a_sector(int h) const
-  {
-    const int first = sector_of(*m_surface, h);
-    return first >= 0 && number_of_quadrants(first) <=
-                             least_number_of_quadrants(sector_angle(m_connection, first));
-  }
-
   void change_jump(int h, int by)
   {
     m_jumps[h] += by;

@@ -64,7 +64,8 @@ private:
     double best_rotation = 0;
     m_surface.for_each_outgoing(v, [&](int h) {
       if (m_surface.is_border(h) || is_between_fixed_crosses(h) ||
-          would_close_a_sector(quarter > 0 ? m_surface.opposite(h) : h))
+          is_in_narrow_sector(m_connection, m_angle, m_jump,
+                              quarter > 0 ? m_surface.opposite(h) : h))
         return;
       const int gain = quarter * (m_index[v] - m_index[m_surface.target(h)]) - 1;
       const double turned = rotation(m_connection, m_angle, m_jump, h) + quarter * right_angle;
@@ -90,14 +91,6 @@ private:
     const int f = m_surface.face(h), g = m_surface.face(m_surface.opposite(h));
     return m_is_fixed[f] && m_is_fixed[g] &&
            !(m_surface.fixed_halfedge(f) >= 0 && m_surface.fixed_halfedge(g) >= 0);
-  }
-
-  // whether a sector that has h inside has no quadrant to spare
-  bool would_close_a_sector(int h) const
-  {
-    const int first = m_surface.is_fixed(h) ? -1 : sector_of(m_surface, h);
-    return first >= 0 && number_of_quadrants(m_connection, m_angle, m_jump, first) <=
-                             least_number_of_quadrants(sector_angle(m_connection, first));
   }
 
   // the free faces within four rings about v, in the order of a breadth-first search

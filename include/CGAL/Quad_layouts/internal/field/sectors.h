@@ -70,6 +70,16 @@ inline int number_of_quadrants(const Face_connection& connection, const std::vec
   return nearest_quarter_turns(turn);
 }
 
+// whether a halfedge is inside of a sector that has no quadrant to spare
+inline bool is_in_narrow_sector(const Face_connection& connection,
+                                const std::vector<double>& angles, const std::vector<int>& jumps,
+                                int h)
+{
+  const int first = connection.surface().is_fixed(h) ? -1 : sector_of(connection.surface(), h);
+  return first >= 0 && number_of_quadrants(connection, angles, jumps, first) <=
+                           least_number_of_quadrants(sector_angle(connection, first));
+}
+
 // whether an index is too strong for good quads: valences 0, 1 and 2, and those of 8 and more; on the
 // border, no quad or more than five
 inline bool is_strong(int index)
