@@ -11,6 +11,7 @@
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/number_type_config.h>
 
 #include <cmath>
@@ -57,6 +58,40 @@ inline CGAL::Quad_layouts::Cross_field random_field(const Mesh& mesh, unsigned s
   for (int f = 0; f < surface->number_of_faces(); ++f)
     vectors.push_back(surface->direction(f, 2 * CGAL_PI * random() / double(random.max())));
   return CGAL::Quad_layouts::internal::given_cross_field(surface, vectors);
+}
+
+// A ring of n prisms, the section of which is a square with its corners outside, inside, above and
+// below.
+inline Mesh square_ring(int n, int per_side)
+{
+  const int m = 4 * per_side;
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  const auto vertex = [&](int i, int j) { return (i % n) * m + j % m; };
+  const auto wave = [&](int j) { return std::abs((j % m) / double(per_side) - 2) - 1; }; // 1 at 0
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double u = 2 * CGAL_PI * i / n, r = 2 + wave(j);
+      points.emplace_back(r * std::cos(u), r * std::sin(u), wave(j + 3 * per_side));
+      triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return mesh_of(points, triangles);
+}
+
+// On a ring with four sharp edges all around, a fixed edge leaves one of these under an acute angle.
+// With its indices, the field has no locally injective map.
+inline CGAL::Quad_layouts::Cross_field field_without_map()
+{
+  namespace QL = CGAL::Quad_layouts;
+  constexpr int per_side = 4, n = 16;
+  Mesh mesh = square_ring(n, per_side);
+  const auto is_fixed = mesh.add_property_map<Mesh::Edge_index, bool>("e:fixed", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, is_fixed);
+  const auto leaving = mesh.halfedge(Mesh::Vertex_index(0), Mesh::Vertex_index(4 * per_side + 1));
+  is_fixed[mesh.edge(leaving)] = true;
+  return QL::compute_cross_field(
+      mesh, QL::parameters::default_values().edge_is_constrained_map(is_fixed));
 }
 
 } // namespace generated

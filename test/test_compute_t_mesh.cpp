@@ -59,6 +59,21 @@ BOOST_AUTO_TEST_CASE(both_routes)
   invariants::check_opposite_sides(t);
 }
 
+// A map that needs other indices is made only for those who ask for a parametrization.
+BOOST_AUTO_TEST_CASE(fields_without_map)
+{
+  const QL::Cross_field field = generated::field_without_map();
+  Diary diary;
+  const auto np = parameters::visitor(std::ref(diary));
+  const QL::T_mesh t = QL::compute_t_mesh(field, np.layout_route(QL::PARAMETRIZATION));
+  BOOST_TEST(t.route == QL::PARAMETRIZATION);
+  BOOST_TEST(diary.reason == "");
+  invariants::check_t_mesh(t);
+  invariants::check_opposite_sides(t);
+  BOOST_TEST(QL::compute_t_mesh(field, np).route == QL::FIELD);
+  BOOST_TEST(diary.reason != "");
+}
+
 BOOST_AUTO_TEST_CASE(the_route_is_automatic)
 {
   const QL::Cross_field field = QL::compute_cross_field(generated::icosphere(2));

@@ -6,6 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "generated_fields.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
@@ -28,7 +29,6 @@ namespace QL = CGAL::Quad_layouts;
 namespace params = QL::parameters;
 
 using generated::Mesh;
-using generated::Point;
 using generated::Vector;
 using QL::Seamless_parametrization;
 using QL::internal::inexactness;
@@ -163,25 +163,6 @@ Mesh drum(int corners, double degrees)
     mesh.add_face(low[i], high[j], high[i]);
   }
   return mesh;
-}
-
-// A ring of n prisms, the section of which is a square with its corners outside, inside, above and
-// below.
-Mesh square_ring(int n, int per_side)
-{
-  const int m = 4 * per_side;
-  std::vector<Point> points;
-  std::vector<generated::Triangle> triangles;
-  const auto vertex = [&](int i, int j) { return (i % n) * m + j % m; };
-  const auto wave = [&](int j) { return std::abs((j % m) / double(per_side) - 2) - 1; }; // 1 at 0
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j) {
-      const double u = 2 * CGAL_PI * i / n, r = 2 + wave(j);
-      points.emplace_back(r * std::cos(u), r * std::sin(u), wave(j + 3 * per_side));
-      triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-      triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-    }
-  return generated::mesh_of(points, triangles);
 }
 
 QL::Cross_field field_along_features(Mesh& mesh)
@@ -360,19 +341,9 @@ BOOST_AUTO_TEST_CASE(moves_of_index)
   BOOST_TEST(moves > 0);
 }
 
-// On a ring with four sharp edges all around, a fixed edge leaves one of these under an acute angle.
-// With its indices, the field has no locally injective map.
 BOOST_AUTO_TEST_CASE(indices_are_moved_where_there_is_no_map)
 {
-  constexpr int per_side = 4, n = 16;
-  Mesh mesh = square_ring(n, per_side);
-  const auto is_fixed = mesh.add_property_map<Mesh::Edge_index, bool>("e:fixed", false).first;
-  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, is_fixed);
-  const auto leaving = mesh.halfedge(Mesh::Vertex_index(0), Mesh::Vertex_index(4 * per_side + 1));
-  is_fixed[mesh.edge(leaving)] = true;
-  const QL::Cross_field field = QL::compute_cross_field(
-      mesh, params::default_values().edge_is_constrained_map(is_fixed));
-
+  const QL::Cross_field field = generated::field_without_map();
   const QL::internal::Monitor monitor;
   QL::internal::Seamless_optimization optimization(field, 0.1, 100, monitor);
   optimization.align();

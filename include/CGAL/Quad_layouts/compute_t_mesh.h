@@ -32,11 +32,12 @@ inline Layout_route automatic_route(const Cross_field& field)
 }
 
 template <class NamedParameters>
-T_mesh t_mesh_of_parametrization(const Cross_field& field, const Time_budget& budget,
-                                 const NamedParameters& np)
+T_mesh t_mesh_of_parametrization(const Cross_field& field, Freedom freedom,
+                                 const Time_budget& budget, const NamedParameters& np)
 {
   const double half = budget.left_for("parametrize_seamlessly") / 2;
-  const Seamless_parametrization map = parametrize_seamlessly(field, with_time_limit(np, half));
+  const Seamless_parametrization map = parametrize_seamlessly(field, freedom,
+                                                              with_time_limit(np, half));
   return trace_motorcycle_graph(map,
                                 with_time_limit(np, budget.left_for("trace_motorcycle_graph")));
 }
@@ -53,7 +54,8 @@ By the route `FIELD` it runs `trace_motorcycle_graph()`. By the route `PARAMETRI
 locally injective parametrization is found, or not in half of the time, it tells the visitor, and
 goes on by the route `FIELD`. `T_mesh::route` says which one it was. Layouts by a parametrization
 have fewer patches; but it takes long for large surfaces and many singularities, for which the route
-`AUTOMATIC` is `FIELD`.
+`AUTOMATIC` is `FIELD`. So it is where indices would have to move for a locally injective
+parametrization, because that would be too distorted for a simple layout.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -90,13 +92,17 @@ T_mesh compute_t_mesh(const Cross_field& field,
   using parameters::get_parameter;
 
   Layout_route route = choose_parameter(get_parameter(np, internal_np::layout_route), AUTOMATIC);
-  if (route == AUTOMATIC)
+  // a map that needs other indices than the field has is too distorted for simple layouts
+  internal::Freedom freedom = internal::Freedom::COORDINATES_AND_INDICES;
+  if (route == AUTOMATIC) {
     route = internal::automatic_route(field);
+    freedom = internal::Freedom::COORDINATES;
+  }
   const internal::Time_budget budget(internal::running_time_limit(np));
   const internal::Monitor visitor = internal::visitor_of(np);
   if (route == PARAMETRIZATION) {
     try {
-      return internal::t_mesh_of_parametrization(field, budget, np);
+      return internal::t_mesh_of_parametrization(field, freedom, budget, np);
     } catch (const Stage_failure& failure) {
       visitor.changed_route(failure.what());
     } catch (const Time_limit_exceeded& failure) {

@@ -23,16 +23,41 @@ namespace Quad_layouts {
 
 namespace internal {
 
+// what the search for a locally injective map may change
+enum class Freedom { COORDINATES, COORDINATES_AND_INDICES };
+
 inline Seamless_parametrization seamless_parametrization(const Cross_field& field,
                                                          const Target_lengths& lengths,
-                                                         int most_steps, const Monitor& monitor)
+                                                         int most_steps, Freedom freedom,
+                                                         const Monitor& monitor)
 {
   const auto parametrize = [&](const Cross_field& any) {
     Seamless_optimization optimization(any, lengths, most_steps, monitor);
     optimization.align();
     return optimization.repaired_result();
   };
-  return Index_repair(field, parametrize).run();
+  return freedom == Freedom::COORDINATES ? parametrize(field)
+                                         : Index_repair(field, parametrize).run();
+}
+
+template <class NamedParameters>
+Seamless_parametrization parametrize_seamlessly(const Cross_field& field, Freedom freedom,
+                                                const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  const double edge_length = target_edge_length(field.surface(), np);
+  const int most_steps = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
+                                          100);
+  require_parameter(most_steps >= 1, "number_of_iterations", most_steps, "at least 1");
+
+  const Target_lengths lengths = read_target_lengths(
+      field, edge_length, get_parameter(np, internal_np::target_edge_length_map));
+  const Monitor monitor = monitor_from(np);
+  return monitor.run("parametrize_seamlessly", [&] {
+    return seamless_parametrization(field, lengths, most_steps, freedom, monitor);
+  });
 }
 
 } // namespace internal
@@ -116,20 +141,7 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Seamless_parametrization parametrize_seamlessly(
     const Cross_field& field, const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  const double edge_length = internal::target_edge_length(field.surface(), np);
-  const int most_steps = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
-                                          100);
-  internal::require_parameter(most_steps >= 1, "number_of_iterations", most_steps, "at least 1");
-
-  const internal::Target_lengths lengths = internal::read_target_lengths(
-      field, edge_length, get_parameter(np, internal_np::target_edge_length_map));
-  const internal::Monitor monitor = internal::monitor_from(np);
-  return monitor.run("parametrize_seamlessly", [&] {
-    return internal::seamless_parametrization(field, lengths, most_steps, monitor);
-  });
+  return internal::parametrize_seamlessly(field, internal::Freedom::COORDINATES_AND_INDICES, np);
 }
 
 } // namespace Quad_layouts
