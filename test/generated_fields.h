@@ -60,27 +60,8 @@ inline CGAL::Quad_layouts::Cross_field random_field(const Mesh& mesh, unsigned s
   return CGAL::Quad_layouts::internal::given_cross_field(surface, vectors);
 }
 
-// A ring of n prisms, the section of which is a square with its corners outside, inside, above and
-// below.
-inline Mesh square_ring(int n, int per_side)
-{
-  const int m = 4 * per_side;
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-  const auto vertex = [&](int i, int j) { return (i % n) * m + j % m; };
-  const auto wave = [&](int j) { return std::abs((j % m) / double(per_side) - 2) - 1; }; // 1 at 0
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j) {
-      const double u = 2 * CGAL_PI * i / n, r = 2 + wave(j);
-      points.emplace_back(r * std::cos(u), r * std::sin(u), wave(j + 3 * per_side));
-      triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-      triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-    }
-  return mesh_of(points, triangles);
-}
-
-// On a ring with four sharp edges all around, a fixed edge leaves one of these under an acute angle.
-// With its indices, the field has no locally injective map.
+// On a ring with four sharp edges all around, a fixed edge leaves one of these under an acute
+// angle. With its indices, the field has no locally injective map.
 inline CGAL::Quad_layouts::Cross_field field_without_map()
 {
   namespace QL = CGAL::Quad_layouts;

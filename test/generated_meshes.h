@@ -161,6 +161,25 @@ inline Mesh torus(int nu, int nv, double major_radius = 2, double minor_radius =
   return mesh_of(points, triangles);
 }
 
+// A ring of n prisms, the section of which is a square with its corners outside, inside, above and
+// below.
+inline Mesh square_ring(int n, int per_side)
+{
+  const int m = 4 * per_side;
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  const auto vertex = [&](int i, int j) { return (i % n) * m + j % m; };
+  const auto wave = [&](int j) { return std::abs((j % m) / double(per_side) - 2) - 1; }; // 1 at 0
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double u = 2 * CGAL_PI * i / n, r = 2 + wave(j);
+      points.emplace_back(r * std::cos(u), r * std::sin(u), wave(j + 3 * per_side));
+      triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return mesh_of(points, triangles);
+}
+
 inline Mesh translated(Mesh mesh, const Vector& by)
 {
   for (const auto v : vertices(mesh))

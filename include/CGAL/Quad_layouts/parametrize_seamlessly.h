@@ -18,6 +18,8 @@
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace Quad_layouts {
 
@@ -36,8 +38,10 @@ inline Seamless_parametrization seamless_parametrization(const Cross_field& fiel
     optimization.align();
     return optimization.repaired_result();
   };
-  return freedom == Freedom::COORDINATES ? parametrize(field)
-                                         : Index_repair(field, parametrize).run();
+  Seamless_parametrization map = parametrize(field);
+  if (map.is_locally_injective() || freedom == Freedom::COORDINATES)
+    return map;
+  return Index_repair(field, std::move(map), parametrize).run();
 }
 
 template <class NamedParameters>

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// A cross field with its period jumps: of those that fit its matchings, the ones with which it turns
-// least. Changes of jumps move indices along edges.
+// A cross field with its period jumps: of those that fit its matchings, the ones with which it
+// turns least. Changes of jumps move indices along edges.
 class Jump_field
 {
 public:

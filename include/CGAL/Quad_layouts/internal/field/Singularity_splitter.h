@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SINGULARITY_SPLITTER_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_FIELD_SINGULARITY_SPLITTER_H
 
+#include <CGAL/Quad_layouts/internal/field/matching.h>
 #include <CGAL/Quad_layouts/internal/field/sectors.h>
 
 #include <algorithm>

@@ -74,6 +74,13 @@ inline int index(const Face_connection& connection, const std::vector<double>& a
   return int(std::lround(quarters));
 }
 
+// whether an index is too strong for good quads: valences 0, 1 and 2, and those of 8 and more; on
+// the border, no quad or more than five
+inline bool is_strong(int index)
+{
+  return index >= 2 || index <= -4;
+}
+
 // the indices of all vertices, 0 for isolated ones. The angle defects and the turning of the border
 // sum to 2 pi chi and rotations cancel in pairs, hence the indices sum to 4 chi, for any angles and
 // antisymmetric jumps.

@@ -80,13 +80,6 @@ inline bool is_in_narrow_sector(const Face_connection& connection,
                            least_number_of_quadrants(sector_angle(connection, first));
 }
 
-// whether an index is too strong for good quads: valences 0, 1 and 2, and those of 8 and more; on the
-// border, no quad or more than five
-inline bool is_strong(int index)
-{
-  return index >= 2 || index <= -4;
-}
-
 // Lets the field have as many quadrants in each sector as that needs at least: where fixed edges
 // meet at an acute angle, the field that turns least has none. The quarter of index that this takes
 // goes to the other end of an edge in the sector, which no fixed edge has. Returns the vertices

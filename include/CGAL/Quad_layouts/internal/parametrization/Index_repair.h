@@ -27,8 +27,8 @@ namespace internal {
 // The search for moves of index with which a field has a locally injective map.
 //
 // Not every field has one. An example is a fixed edge that ends within the surface and begins at a
-// closed fixed curve under an acute angle: with the vertex of valence 5 at its beginning and that of
-// valence 3 nearby, lines are displaced against each other by as much as the two are apart, and
+// closed fixed curve under an acute angle: with the vertex of valence 5 at its beginning and that
+// of valence 3 nearby, lines are displaced against each other by as much as the two are apart, and
 // where other curves do not allow that, both would have to be in one place. Another such pair can
 // displace the lines back. Where the map cannot be as it should, vertices miss their angles: there
 // the search begins.
@@ -37,13 +37,14 @@ class Index_repair
 public:
   using Parametrize = std::function<Seamless_parametrization(const Cross_field&)>;
 
-  Index_repair(const Cross_field& field, Parametrize parametrize)
-    : m_field(field), m_parametrize(std::move(parametrize)), m_map(m_parametrize(field)),
+  // takes a field and its map, and how to make that of another field
+  Index_repair(const Cross_field& field, Seamless_parametrization map, Parametrize parametrize)
+    : m_field(field), m_map(std::move(map)), m_parametrize(std::move(parametrize)),
       m_tries_left(most_triangles / field.surface().number_of_faces())
   {
   }
 
-  // returns the map with the fewest defects, which is that of the field if it has none
+  // returns the map with the fewest defects
   Seamless_parametrization run()
   {
     constexpr int most_defects = 20; // more have other reasons than single indices
@@ -114,8 +115,8 @@ private:
   }
 
   Jump_field m_field;
-  Parametrize m_parametrize;
   Seamless_parametrization m_map;
+  Parametrize m_parametrize;
   int m_tries_left;
 };
 

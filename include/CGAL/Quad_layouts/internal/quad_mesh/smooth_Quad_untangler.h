@@ -51,7 +51,7 @@ public:
   // turns folded quads back with surroundings that grow, and improves the shape there
   void unfold()
   {
-    const auto attempt = [this](const std::vector<int>& region, int) {
+    const auto attempt = [this](const std::vector<int>& region) {
       unfold(region);
       for (int i = 0; i < 10; ++i)
         for (const int v : region)
@@ -83,9 +83,9 @@ private:
   void repair_once()
   {
     constexpr double poor = 0.5;
-    const auto search_here = [this](const std::vector<int>& region, int) { search(region); };
+    const auto search_here = [this](const std::vector<int>& region) { search(region); };
     const auto search_anew = [this](double least_epsilon) {
-      return [this, least_epsilon](const std::vector<int>& region, int) {
+      return [this, least_epsilon](const std::vector<int>& region) {
         unfold(region, least_epsilon);
         search(region);
       };
@@ -188,7 +188,7 @@ private:
       const std::vector<int> region = m_quads.surroundings(group, rings), quads = quads_at(region);
       const Badness before = badness(quads, threshold);
       const std::vector<Surface_walk::Place> old = m_quads.places(region);
-      attempt(region, rings);
+      attempt(region);
       if (!(badness(quads, threshold) < before))
         for (std::size_t i = 0; i < region.size(); ++i)
           m_quads.move(region[i], old[i]);
@@ -205,7 +205,7 @@ private:
   {
     constexpr int patience = 12;
     std::minstd_rand random; // always the same numbers
-    const auto attempt = [&](const std::vector<int>& region, int) {
+    const auto attempt = [&](const std::vector<int>& region) {
       for (const int v : region)
         displace(v, random);
       unfold(region);
