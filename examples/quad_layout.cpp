@@ -57,13 +57,14 @@ Json_object statistics(const Mesh& mesh, const Results& r)
                         .add("euler", input.euler_characteristic)
                         .add("components", input.components)
                         .add("borders", number_of_borders(mesh)))
-      .add("route", r.t_mesh.route == QL::PARAMETRIZATION ? "parametrization" : "field")
+      .add("route", r.route == QL::PARAMETRIZATION ? "parametrization" : "field")
       .add("singularities_in", r.field.number_of_singularities())
       .add("singularities_out", r.quality.irregular_vertices)
       .add("patches", r.quality.patches)
       .add("patches_floor", r.quality.patches_floor)
       .add("t_junctions", r.quality.t_junctions)
       .add("quads", r.quality.quads)
+      .add("bad_quads", int(r.number_of_bad_quads))
       .add("msj_min", r.quality.msj_minimum)
       .add("msj_avg", r.quality.msj_average)
       .add("t_mesh", Json_object()
@@ -119,6 +120,9 @@ int main(int argc, char* argv[])
     Mesh mesh = clock("read", [&] { return read_mesh(options.input, options.repair); });
     run_stages(mesh, options, clock, results);
     write(mesh, results, options.output);
+    if (results.number_of_bad_quads > 0)
+      std::cerr << "quad_layout: warning: " << results.number_of_bad_quads
+                << " quads are inverted or oppose the surface\n";
     return EXIT_SUCCESS;
   } catch (const Usage_error& error) {
     std::cerr << "quad_layout: " << error.what() << "\n\n" << usage();

@@ -150,7 +150,7 @@ done
 [ -z "$(find result -name '*.part')" ] || fail "temporary files remain"
 [ "$(grep -c '^g ' result/quad_mesh.obj)" = 6 ] || fail "a cube has six patches"
 for key in input vertices faces euler components borders route singularities_in singularities_out patches \
-           t_junctions quads msj_min msj_avg patches_floor t_mesh nodes arcs traces program variables \
+           t_junctions quads bad_quads msj_min msj_avg patches_floor t_mesh nodes arcs traces program variables \
            constraints indicators objective bound gap status rounds map triangles inverted \
            wrong_winding seconds field trace quantize extract embed smooth total; do
   grep -q "\"$key\":" result/stats.json || fail "stats.json has no $key"

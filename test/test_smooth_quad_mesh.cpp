@@ -416,6 +416,34 @@ BOOST_AUTO_TEST_CASE(vertices_stay_on_their_side_of_fixed_edges)
   BOOST_TEST(free_walk.normal(reached(walk)).dot(up) < 0.999);
 }
 
+// A wall stands on an edge of the ground, but is not connected with it, and leans over it a little.
+// Of what is nearest beyond that edge, the wall opposes what lies on the ground; beyond the corner
+// it is the same.
+BOOST_AUTO_TEST_CASE(faces_that_only_touch_are_equally_near)
+{
+  using namespace QL::internal;
+  const Point a(0, 0, 0), b(1, 0, 0);
+  Mesh surface = strip({a, b}, {{0, 1, 0}, {1, 1, 0}}, true);
+  CGAL::copy_face_graph(strip({{0, 0.01, 1}, {1, 0.01, 1}}, {a, b}, true), surface);
+  const Triangle_surface triangles = make_triangle_surface(surface, surface.points());
+  const Surface_walk walk(triangles);
+  const Surface_walk::Vector up(0, 0, 1);
+  const int ground = walk.locate({0.5, 0.5, 0}, up).face;
+  BOOST_TEST(walk.nearest_normal({0.5, 0.5, 0}, up, ground) == up);
+  for (const double x : {-0.1, 0.5, 1.1})
+    BOOST_TEST(walk.nearest_normal({x, -0.1, 0}, up, ground).dot(up) < 0);
+}
+
+// None of the corners of a quad can move, so it remains upside down.
+BOOST_AUTO_TEST_CASE(bad_quads_are_counted)
+{
+  const std::vector<Point> bottom = {{0, 0, 0}, {1, 0, 0}}, top = {{0, 1, 0}, {1, 1, 0}};
+  const Mesh surface = strip(bottom, top, true);
+  Mesh good = strip(bottom, top, false), bad = strip(top, bottom, false);
+  BOOST_TEST(QL::smooth_quad_mesh(good, surface) == 0u);
+  BOOST_TEST(QL::smooth_quad_mesh(bad, surface) == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(same_result_again_and_on_other_meshes)
 {
   const Mesh surface = bumpy(generated::icosphere(3)), quads = bumpy(generated::quad_sphere(8));

@@ -22,6 +22,7 @@
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
+#include <CGAL/Quad_layouts/try_layout_routes.h>
 #include <CGAL/Quad_layouts/visitor.h>
 #ifdef CGAL_USE_CBC
 #include <CGAL/Quad_layouts/CBC_mixed_integer_program_traits.h>
@@ -36,6 +37,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iomanip>
 #include <iostream>
@@ -64,19 +66,26 @@ struct Progress : QL::Default_visitor
   }
 };
 
-// all that the stages make of a mesh
-struct Results
+// what the stages make of a T-mesh
+struct Remeshing
 {
-  Mesh quads;
-  Mesh::Property_map<Mesh::Face_index, int> patch;
-  Mesh::Property_map<Mesh::Vertex_index, bool> is_node;
-  Mesh::Property_map<Mesh::Edge_index, bool> is_layout_edge;
-
-  QL::Cross_field field;
+  QL::Layout_route route;
   QL::T_mesh t_mesh;
   QL::Quantization quantization;
   QL::Quad_layout layout;
   QL::Integer_grid_map map;
+
+  Mesh quads;
+  Mesh::Property_map<Mesh::Face_index, int> patch;
+  Mesh::Property_map<Mesh::Vertex_index, bool> is_node;
+  Mesh::Property_map<Mesh::Edge_index, bool> is_layout_edge, is_on_feature;
+  std::size_t number_of_bad_quads = 0; // that are inverted or oppose the surface
+};
+
+// what they make of a mesh
+struct Results : Remeshing
+{
+  QL::Cross_field field;
   QL::Quad_mesh_measures quality;
 
   std::vector<std::pair<std::string, double>> seconds; // per stage, and in total
@@ -119,9 +128,15 @@ public:
   void finish() { note("total", m_total.time()); }
 
 private:
+  // a stage that ran before takes its time in sum
   void note(const std::string& stage, double seconds)
   {
-    m_seconds.emplace_back(stage, seconds);
+    const auto before = std::find_if(m_seconds.begin(), m_seconds.end(),
+                                     [&](const auto& noted) { return noted.first == stage; });
+    if (before != m_seconds.end())
+      before->second += seconds;
+    else
+      m_seconds.emplace_back(stage, seconds);
     if (!m_options.quiet)
       std::cerr << "  " << std::fixed << std::setprecision(2) << seconds << " s\n"
                 << std::defaultfloat << std::setprecision(6);
@@ -226,70 +241,110 @@ inline QL::Layout_route route_of(const Options& options)
   return options.route == "parametrization" ? QL::PARAMETRIZATION : QL::AUTOMATIC;
 }
 
-// runs all stages on a mesh
-inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, Results& results)
+// the named parameters that all stages share
+inline auto shared_parameters(const Mesh& mesh, const Options& options, Progress& progress)
 {
-  Progress progress;
-  progress.quiet = options.quiet;
-  const double target = options.edge_length * diagonal(mesh);
-  const auto np = QL::parameters::maximum_deviation(options.alpha)
-                      .maximum_displacement(options.displacement)
-                      .target_edge_length(target)
-                      .minimum_valence(options.min_valence)
-                      .maximum_valence(options.max_valence)
-                      .layout_route(route_of(options))
-                      .visitor(std::ref(progress));
-  const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
-  const auto search = [&] {
+  return QL::parameters::maximum_deviation(options.alpha)
+      .maximum_displacement(options.displacement)
+      .target_edge_length(options.edge_length * diagonal(mesh))
+      .minimum_valence(options.min_valence)
+      .maximum_valence(options.max_valence)
+      .layout_route(route_of(options))
+      .visitor(std::ref(progress));
+}
+
+template <class NamedParameters>
+QL::Quantization quantization_of(const QL::T_mesh& t_mesh, const Options& options,
+                                 Stage_clock& clock, const NamedParameters& np)
+{
+  if (!options.program.empty())
+    write_program(options.program, t_mesh, np);
+  QL::Quantization result = clock("quantize", [&] {
+    if (!options.solution.empty())
+      return read_solution(options.solution, t_mesh, np);
     const double half = clock.seconds_left() / 2;
-    return np.maximum_running_time((std::min)(options.search_limit, half));
-  };
-  auto& r = results;
+    return quantize_by(options.solver, t_mesh,
+                       np.maximum_running_time((std::min)(options.search_limit, half)));
+  });
+  if (result.status == QL::Quantization::INFEASIBLE)
+    throw QL::Stage_failure("quantize: no valid quantization was found" +
+                            (result.reason.empty() ? "" : "; " + result.reason));
+  return result;
+}
+
+// runs the stages from a T-mesh on
+template <class EdgeMap, class NamedParameters>
+Remeshing remesh(QL::T_mesh t_mesh, const Mesh& mesh, const Options& options,
+                 const EdgeMap& features, Stage_clock& clock, const NamedParameters& np)
+{
+  const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
+  Remeshing r;
+  r.route = t_mesh.route;
+  r.t_mesh = std::move(t_mesh);
+  r.quantization = quantization_of(r.t_mesh, options, clock, np);
+  r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
+  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, limited()); });
   r.patch = r.quads.add_property_map<Mesh::Face_index, int>("f:patch", -1).first;
   r.is_node = r.quads.add_property_map<Mesh::Vertex_index, bool>("v:is_node", false).first;
   r.is_layout_edge =
       r.quads.add_property_map<Mesh::Edge_index, bool>("e:is_layout_edge", false).first;
-
-  const auto features = sharp_edges(mesh, options.features);
-  const auto on_feature =
-      r.quads.add_property_map<Mesh::Edge_index, bool>("e:on_feature", false).first;
-  if (options.parametrization.empty()) {
-    r.field = clock(
-        "field", [&] { return field_of(mesh, options, features, progress, clock.seconds_left()); });
-    r.t_mesh = clock("trace", [&] { return QL::compute_t_mesh(r.field, limited()); });
-  } else {
-    const QL::Seamless_parametrization map = clock("parametrization", [&] {
-      return read_parametrization(options.parametrization, mesh, features);
-    });
-    r.field = QL::compute_cross_field(map);
-    r.t_mesh = clock("trace", [&] { return QL::trace_motorcycle_graph(map, limited()); });
-  }
-  if (!options.written_field.empty())
-    write_field(options.written_field, r.field);
-  if (!options.program.empty())
-    write_program(options.program, r.t_mesh, np);
-  r.quantization = clock("quantize", [&] {
-    return options.solution.empty() ? quantize_by(options.solver, r.t_mesh, search())
-                                    : read_solution(options.solution, r.t_mesh, np);
-  });
-  if (r.quantization.status == QL::Quantization::INFEASIBLE)
-    throw QL::Stage_failure("quantize: no valid quantization was found" +
-                            (r.quantization.reason.empty() ? "" : "; " + r.quantization.reason));
-  r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
-  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, limited()); });
-  clock("smooth", [&] {
-    QL::extract_smooth_quad_mesh(
+  r.is_on_feature =
+      r.quads.add_property_map<Mesh::Edge_index, bool>("e:is_on_feature", false).first;
+  r.number_of_bad_quads = clock("smooth", [&] {
+    return QL::extract_smooth_quad_mesh(
         r.map, r.layout, mesh, r.quads,
         limited()
             .face_patch_map(r.patch)
             .vertex_is_layout_node_map(r.is_node)
             .edge_is_layout_edge_map(r.is_layout_edge)
-            .edge_is_constrained_map(on_feature),
+            .edge_is_constrained_map(r.is_on_feature),
         QL::parameters::default_values().edge_is_constrained_map(features));
   });
+  return r;
+}
+
+// runs all stages on a mesh
+inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, Results& results)
+{
+  Progress progress;
+  progress.quiet = options.quiet;
+  const auto np = shared_parameters(mesh, options, progress);
+  const auto features = sharp_edges(mesh, options.features);
+  const auto attempt = [&](auto&& trace) {
+    QL::T_mesh t_mesh = clock("trace", trace);
+    return remesh(std::move(t_mesh), mesh, options, features, clock, np);
+  };
+  const auto attempt_by = [&](QL::Layout_route route) {
+    return attempt([&] {
+      return QL::compute_t_mesh(results.field,
+                                np.layout_route(route).maximum_running_time(clock.seconds_left()));
+    });
+  };
+  const auto keep_field = [&](QL::Cross_field field) {
+    results.field = std::move(field);
+    if (!options.written_field.empty())
+      write_field(options.written_field, results.field);
+  };
+  Remeshing& best = results;
+  if (!options.parametrization.empty()) {
+    const QL::Seamless_parametrization map = clock("parametrization", [&] {
+      return read_parametrization(options.parametrization, mesh, features);
+    });
+    keep_field(QL::compute_cross_field(map));
+    best = attempt([&] {
+      return QL::trace_motorcycle_graph(map, np.maximum_running_time(clock.seconds_left()));
+    });
+  } else {
+    keep_field(clock("field", [&] {
+      return field_of(mesh, options, features, progress, clock.seconds_left());
+    }));
+    // files of programs are of one T-mesh
+    const bool is_bound = !options.program.empty() || !options.solution.empty();
+    best = is_bound ? attempt_by(route_of(options)) : QL::try_layout_routes(attempt_by, np);
+  }
   clock.finish();
-  r.quality = QL::measure_quad_mesh(
-      r.quads, QL::parameters::default_values().edge_is_constrained_map(on_feature));
+  results.quality = QL::measure_quad_mesh(
+      results.quads, QL::parameters::default_values().edge_is_constrained_map(best.is_on_feature));
 }
 
 #endif // QUAD_LAYOUTS_EXAMPLES_STAGES_H

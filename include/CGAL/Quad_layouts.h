@@ -29,6 +29,7 @@
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
+#include <CGAL/Quad_layouts/try_layout_routes.h>
 #include <CGAL/Quad_layouts/visitor.h>
 
 #endif // CGAL_QUAD_LAYOUTS_H

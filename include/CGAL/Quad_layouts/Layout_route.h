@@ -18,7 +18,8 @@ names the ways from a cross field to a T-mesh, see `compute_t_mesh()`.
 enum Layout_route {
   FIELD,           ///< traces run along the directions of the field
   PARAMETRIZATION, ///< traces are lines of constant coordinates of a seamless parametrization
-  AUTOMATIC ///< `PARAMETRIZATION` up to 100,000 triangles and 1,000 singularities, `FIELD` beyond
+  AUTOMATIC ///< `PARAMETRIZATION` up to 100,000 triangles and 1,000 singularities, `FIELD` beyond;
+            ///< the whole chain also tries `FIELD` if it leads to inverted quads or to no layout
 };
 
 } // namespace Quad_layouts

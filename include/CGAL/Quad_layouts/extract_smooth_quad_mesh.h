@@ -11,11 +11,32 @@
 #include <CGAL/Quad_layouts/internal/quad_mesh/extract_Smooth_grid.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_layouts {
+
+namespace internal {
+
+// the grid of a layout, smoothed on the surface
+template <class TriangleMesh, class NamedParametersOut, class NamedParametersSurface>
+Smooth_grid smooth_grid_on(const TriangleMesh& surface, const Integer_grid_map& map,
+                           const Quad_layout& layout, const NamedParametersOut& np_out,
+                           const NamedParametersSurface& np_surface)
+{
+  const int number_of_iterations = number_of_smoothing_iterations(np_out);
+  std::vector<int> divisions = number_of_parts(map, layout, np_out);
+  const Monitor monitor = monitor_from(np_out, np_surface);
+  return monitor.run("smooth_quad_mesh", [&] {
+    const Triangle_surface triangles = surface_with_fixed_edges(surface, np_surface);
+    return best_smooth_grid(map, layout, std::move(divisions), triangles, number_of_iterations,
+                            monitor);
+  });
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgQuadLayoutsFunctions
@@ -48,6 +69,8 @@ closely. The mesh with the fewest such quads is taken.
 \throw Error one of the exceptions of `extract_quad_mesh()` and `smooth_quad_mesh()`. Nothing has
 been added to `out` then.
 
+\return the number of quads that are inverted or oppose the surface all the same
+
 The time is that of these two, up to four times, for at most two and a half times as many vertices.
 
 \sa `measure_quad_mesh()`
@@ -55,21 +78,15 @@ The time is that of these two, up to four times, for at most two and a half time
 template <class TriangleMesh, class QuadMesh,
           class NamedParametersOut = parameters::Default_named_parameters,
           class NamedParametersSurface = parameters::Default_named_parameters>
-void extract_smooth_quad_mesh(
+std::size_t extract_smooth_quad_mesh(
     const Integer_grid_map& map, const Quad_layout& layout, const TriangleMesh& surface,
     QuadMesh& out, const NamedParametersOut& np_out = parameters::default_values(),
     const NamedParametersSurface& np_surface = parameters::default_values())
 {
-  const int number_of_iterations = internal::number_of_smoothing_iterations(np_out);
-  std::vector<int> divisions = internal::number_of_parts(map, layout, np_out);
-  const internal::Monitor monitor = internal::monitor_from(np_out, np_surface);
-  const internal::Smooth_grid grid = monitor.run("smooth_quad_mesh", [&] {
-    const internal::Triangle_surface triangles = internal::surface_with_fixed_edges(surface,
-                                                                                    np_surface);
-    return internal::best_smooth_grid(map, layout, std::move(divisions), triangles,
-                                      number_of_iterations, monitor);
-  });
+  const internal::Smooth_grid grid = internal::smooth_grid_on(surface, map, layout, np_out,
+                                                              np_surface);
   internal::build_mesh(grid.divided, grid.points, out, np_out);
+  return grid.number_of_bad_quads;
 }
 
 } // namespace Quad_layouts

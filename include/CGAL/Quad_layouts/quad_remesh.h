@@ -17,9 +17,13 @@
 #include <CGAL/Quad_layouts/internal/running_time_limit.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/quantize.h>
+#include <CGAL/Quad_layouts/try_layout_routes.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 
+#include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,11 +48,17 @@ Quantization quantize_on_mesh(const T_mesh& t_mesh, const TriangleMesh& tm,
 }
 
 template <class TriangleMesh, class NamedParameters>
-T_mesh t_mesh_of(const TriangleMesh& tm, const Time_budget& budget, const NamedParameters& np)
+Cross_field field_of(const TriangleMesh& tm, const Time_budget& budget, const NamedParameters& np)
 {
-  const Cross_field field = compute_cross_field(
-      tm, with_time_limit(np, budget.left_for("compute_cross_field")));
-  return compute_t_mesh(field, with_time_limit(np, budget.left_for("trace_motorcycle_graph")));
+  return compute_cross_field(tm, with_time_limit(np, budget.left_for("compute_cross_field")));
+}
+
+template <class NamedParameters>
+T_mesh t_mesh_by(Layout_route route, const Cross_field& field, const Time_budget& budget,
+                 const NamedParameters& np)
+{
+  return compute_t_mesh(field, with_time_limit(append<internal_np::layout_route_t>(np, route),
+                                               budget.left_for("trace_motorcycle_graph")));
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -63,6 +73,19 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Ti
   return extract_quad_layout(t_mesh, quantization);
 }
 
+// what `try_layout_routes()` makes for a layout, and for a quad mesh
+struct Attempted_layout
+{
+  Quad_layout layout;
+  Layout_route route;
+  std::size_t number_of_bad_quads = 0;
+};
+struct Attempted_grid : Smooth_grid
+{
+  std::unique_ptr<const Quad_layout> layout; // which the grid refers to
+  Layout_route route;
+};
+
 } // namespace internal
 
 /*!
@@ -71,9 +94,10 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Ti
 computes a simple quad layout of a triangle mesh: few four-sided patches, without T-joints.
 
 It runs `compute_cross_field()`, `compute_t_mesh()`, `quantize()` and
-`extract_quad_layout()`, and passes `np` to each of them. The layout is appended to `out` as a mesh
-of quadrilaterals with straight edges. A patch may be several faces long. Coarse layouts can have
-loops and several edges between two vertices, which not every function on meshes expects.
+`extract_quad_layout()`, and passes `np` to each of them; those from `compute_t_mesh()` on by
+`try_layout_routes()`. The layout is appended to `out` as a mesh of quadrilaterals with straight
+edges. A patch may be several faces long. Coarse layouts can have loops and several edges between
+two vertices, which not every function on meshes expects.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam LayoutMesh a model of `MutableFaceGraph`
@@ -101,9 +125,12 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
                  const NamedParametersOut& np_out = parameters::default_values())
 {
   const internal::Time_budget budget(internal::running_time_limit(np));
-  const T_mesh t_mesh = internal::t_mesh_of(tm, budget, np);
-  const Quad_layout layout = internal::simple_layout(t_mesh, tm, budget, np);
-  copy_face_graph(layout, out, parameters::default_values(), np_out);
+  const Cross_field field = internal::field_of(tm, budget, np);
+  const auto attempt = [&](Layout_route route) -> internal::Attempted_layout {
+    const T_mesh t_mesh = internal::t_mesh_by(route, field, budget, np);
+    return {internal::simple_layout(t_mesh, tm, budget, np), t_mesh.route};
+  };
+  copy_face_graph(try_layout_routes(attempt, np).layout, out, parameters::default_values(), np_out);
 }
 
 /*!
@@ -112,7 +139,7 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
 remeshes a triangle mesh with quadrilaterals, on a simple quad layout.
 
 It runs all stages, from `compute_cross_field()` to `extract_smooth_quad_mesh()`, and passes `np` to
-each of them.
+each of them; those from `compute_t_mesh()` on by `try_layout_routes()`.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam QuadMesh a model of `MutableFaceGraph`
@@ -131,24 +158,34 @@ each of them.
 
 \pre `out` is empty.
 
+\return the number of quads that are inverted or oppose the surface; 0 for almost all surfaces
+
 \throw Error one of the exceptions of the stages. `out` is empty then.
 */
 template <class TriangleMesh, class QuadMesh,
           class NamedParameters = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
-void quad_remesh(const TriangleMesh& tm, QuadMesh& out,
-                 const NamedParameters& np = parameters::default_values(),
-                 const NamedParametersOut& np_out = parameters::default_values())
+std::size_t quad_remesh(const TriangleMesh& tm, QuadMesh& out,
+                        const NamedParameters& np = parameters::default_values(),
+                        const NamedParametersOut& np_out = parameters::default_values())
 {
   CGAL_precondition(is_empty(out));
   using internal::with_time_limit;
   const internal::Time_budget budget(internal::running_time_limit(np));
-  const T_mesh t_mesh = internal::t_mesh_of(tm, budget, np);
-  const Quad_layout layout = internal::simple_layout(t_mesh, tm, budget, np);
-  const Integer_grid_map map = embed_quad_layout(
-      t_mesh, layout, with_time_limit(np, budget.left_for("embed_quad_layout")));
-  extract_smooth_quad_mesh(map, layout, tm, out, np_out,
-                           with_time_limit(np, budget.left_for_improvement()));
+  const Cross_field field = internal::field_of(tm, budget, np);
+  const auto attempt = [&](Layout_route route) -> internal::Attempted_grid {
+    const T_mesh t_mesh = internal::t_mesh_by(route, field, budget, np);
+    auto layout = std::make_unique<const Quad_layout>(
+        internal::simple_layout(t_mesh, tm, budget, np));
+    const Integer_grid_map map = embed_quad_layout(
+        t_mesh, *layout, with_time_limit(np, budget.left_for("embed_quad_layout")));
+    internal::Smooth_grid grid = internal::smooth_grid_on(
+        tm, map, *layout, np_out, with_time_limit(np, budget.left_for_improvement()));
+    return {std::move(grid), std::move(layout), t_mesh.route};
+  };
+  const internal::Attempted_grid best = try_layout_routes(attempt, np);
+  internal::build_mesh(best.divided, best.points, out, np_out);
+  return best.number_of_bad_quads;
 }
 
 } // namespace Quad_layouts

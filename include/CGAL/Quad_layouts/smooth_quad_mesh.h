@@ -17,6 +17,7 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstddef>
 #include <string>
 #include <type_traits>
 
@@ -158,6 +159,8 @@ positive.
 \throw Stage_failure if a face of `quads` is not a quad.
 \throw Cancelled if the visitor stops the work. `quads` has not been changed then.
 
+\return the number of quads that are inverted or oppose the surface all the same
+
 The time is linear in the number of vertices and iterations.
 
 \sa `measure_quad_mesh()`
@@ -165,9 +168,10 @@ The time is linear in the number of vertices and iterations.
 template <class QuadMesh, class TriangleMesh,
           class NamedParametersQuads = parameters::Default_named_parameters,
           class NamedParametersSurface = parameters::Default_named_parameters>
-void smooth_quad_mesh(QuadMesh& quads, const TriangleMesh& surface,
-                      const NamedParametersQuads& np_quads = parameters::default_values(),
-                      const NamedParametersSurface& np_surface = parameters::default_values())
+std::size_t smooth_quad_mesh(
+    QuadMesh& quads, const TriangleMesh& surface,
+    const NamedParametersQuads& np_quads = parameters::default_values(),
+    const NamedParametersSurface& np_surface = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -177,15 +181,17 @@ void smooth_quad_mesh(QuadMesh& quads, const TriangleMesh& surface,
                                             get_property_map(vertex_point, quads));
 
   const internal::Monitor monitor = internal::monitor_from(np_quads, np_surface);
-  monitor.run("smooth_quad_mesh", [&] {
+  return monitor.run("smooth_quad_mesh", [&] {
     const internal::Triangle_surface triangles = internal::surface_with_fixed_edges(surface,
                                                                                     np_surface);
     internal::Polygons mesh = internal::make_polygons(quads, quad_points);
     internal::check_quads(mesh);
     internal::mark_features(quads, get_parameter(np_quads, internal_np::edge_is_constrained), mesh);
     const internal::Surface_walk walk(triangles);
-    internal::Quad_smoother(mesh, walk).run(number_of_iterations, monitor);
+    internal::Quad_smoother smoother(mesh, walk);
+    smoother.run(number_of_iterations, monitor);
     internal::put_points(mesh, quads, quad_points);
+    return smoother.bad_quads().size();
   });
 }
 

@@ -17,6 +17,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -44,7 +46,7 @@ public:
 
   explicit Surface_walk(const Triangle_surface& surface)
     : m_surface(surface), m_tree(corners(surface)),
-      m_corner_normals(surface.number_of_halfedges(), Vector::Zero())
+      m_corner_normals(surface.number_of_halfedges(), Vector::Zero()), m_twin(twins(surface))
   {
     for (int h = 0; h < surface.number_of_halfedges(); ++h)
       for_each_corner_on_this_side(
@@ -95,8 +97,8 @@ public:
   }
 
   // Returns the unit normal of the triangle nearest to p. If that is no single one, as they share
-  // an edge or vertex, the normal is the one that agrees least with `direction`. The search is
-  // short if p is near to a face.
+  // an edge or vertex, or touch each other there, the normal is the one that agrees least with
+  // `direction`. The search is short if p is near to a face.
   Vector nearest_normal(const Vector& p, const Vector& direction, int face) const
   {
     const Projection near = walk(face, p);
@@ -234,15 +236,68 @@ private:
     return result;
   }
 
-  // visits the faces that share the edge or vertex at which `here` lies
+  // per vertex the next one at the same point, in cycles
+  static std::vector<int> twins(const Triangle_surface& surface)
+  {
+    std::vector<int> sorted(surface.number_of_vertices()), result(sorted.size());
+    std::iota(sorted.begin(), sorted.end(), 0);
+    const auto coordinates = [&](int v) {
+      const Vector& p = surface.point(v);
+      return std::make_tuple(p.x(), p.y(), p.z());
+    };
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](int u, int v) { return coordinates(u) < coordinates(v); });
+    for (std::size_t first = 0, i = 0; i < sorted.size(); ++i) {
+      const bool is_last = i + 1 == sorted.size() ||
+                           coordinates(sorted[i]) < coordinates(sorted[i + 1]);
+      result[sorted[i]] = sorted[is_last ? first : i + 1];
+      if (is_last)
+        first = i + 1;
+    }
+    return result;
+  }
+
+  template <class Visit>
+  void for_each_twin(int v, const Visit& visit) const
+  {
+    int u = v;
+    do {
+      visit(u);
+      u = m_twin[u];
+    } while (u != v);
+  }
+
+  // visits the faces that meet in the edge or vertex at which `here` lies, also those that only
+  // touch there because the surface does not connect them
   template <class Visit>
   void for_each_face_beyond(const Projection& here, const Visit& visit) const
   {
-    if (here.where == Projection::ON_EDGE && m_surface.opposite(here.halfedge) >= 0)
-      visit(m_surface.face(m_surface.opposite(here.halfedge)));
-    else if (here.where == Projection::AT_VERTEX)
-      m_surface.for_each_outgoing(m_surface.source(here.halfedge),
-                                  [&](int h) { visit(m_surface.face(h)); });
+    const auto visit_face = [&](int h) { visit(m_surface.face(h)); };
+    if (here.where == Projection::AT_VERTEX)
+      for_each_twin(m_surface.source(here.halfedge),
+                    [&](int v) { m_surface.for_each_outgoing(v, visit_face); });
+    else if (here.where == Projection::ON_EDGE)
+      for_each_halfedge_along(here.halfedge, visit_face);
+  }
+
+  // visits the opposite of h, or all halfedges between twins of its ends if both have some
+  template <class Visit>
+  void for_each_halfedge_along(int h, const Visit& visit) const
+  {
+    const int a = m_surface.source(h), b = m_surface.target(h);
+    const auto visit_between = [&](int from, int to) {
+      for_each_twin(from, [&](int v) {
+        m_surface.for_each_outgoing(v, [&](int g) {
+          if (m_surface.point(m_surface.target(g)) == m_surface.point(to))
+            visit(g);
+        });
+      });
+    };
+    if (m_twin[a] != a && m_twin[b] != b) {
+      visit_between(a, b);
+      visit_between(b, a);
+    } else if (m_surface.opposite(h) >= 0)
+      visit(m_surface.opposite(h));
   }
 
   // visits those of these faces that are on the same side of fixed edges
@@ -289,6 +344,7 @@ private:
   const Triangle_surface& m_surface;
   const Triangle_tree m_tree;
   std::vector<Vector> m_corner_normals; // per halfedge, at its source, of this side of fixed edges
+  std::vector<int> m_twin;
 };
 
 } // namespace internal
