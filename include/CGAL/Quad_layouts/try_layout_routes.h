@@ -30,9 +30,10 @@ the visitor and makes another attempt by the route `FIELD`: the two T-meshes dif
 to be good where the other is not. Then it returns the result with fewer such quads, of two alike
 the first.
 
-\tparam Attempt a function object that takes a `Layout_route`, which it passes to `compute_t_mesh()`,
-        and returns a movable object with two members: `route`, the `Layout_route` of the T-mesh, and
-        `number_of_bad_quads`, what `extract_smooth_quad_mesh()` returns
+\tparam Attempt a function object that takes a `Layout_route`, which it passes to
+        `compute_t_mesh()`, and returns a movable object with two members: `route`, the
+        `Layout_route` of the T-mesh, and `number_of_bad_quads`, what `extract_smooth_quad_mesh()`
+        returns
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param attempt runs the stages from `compute_t_mesh()` on

@@ -9,12 +9,11 @@
 
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/parametrization/Regularized_distortion.h>
-#include <CGAL/Quad_layouts/internal/quad_mesh/measure_shape.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Place_search.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quads_on_surface.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Star.h>
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Vertex_steps.h>
 
-#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -44,7 +43,7 @@ public:
   using Vector = Eigen::Vector3d;
 
   Quad_untangler(Quads_on_surface& quads, const Monitor& monitor)
-    : m_quads(quads), m_steps(quads), m_monitor(monitor)
+    : m_quads(quads), m_steps(quads), m_search(quads), m_monitor(monitor)
   {
   }
 
@@ -62,10 +61,9 @@ public:
       treat_groups(suspects, 0, rings, attempt);
   }
 
-  // Searches for better places of single vertices, from where they are and from the unfolded state.
-  // This also helps where quads are not small compared to features of the surface, so that neither
-  // its normals at their corners nor derivatives tell the way. Improves poor quads, too. Begins
-  // anew, which is with better surroundings, as long as this makes fewer quads bad.
+  // Searches for better places of single vertices, from where they are and from the unfolded state,
+  // then of sides of quads, and from random places. Improves poor quads, too. Begins anew, which is
+  // with better surroundings, as long as this makes fewer quads bad.
   void repair()
   {
     std::size_t before, after = m_quads.bad_quads().size();
@@ -83,11 +81,11 @@ private:
   void repair_once()
   {
     constexpr double poor = 0.5;
-    const auto search_here = [this](const std::vector<int>& region) { search(region); };
+    const auto search_here = [this](const std::vector<int>& region) { m_search.improve(region); };
     const auto search_anew = [this](double least_epsilon) {
       return [this, least_epsilon](const std::vector<int>& region) {
         unfold(region, least_epsilon);
-        search(region);
+        m_search.improve(region);
       };
     };
     std::vector<int> suspects = all_quads();
@@ -98,6 +96,7 @@ private:
       for (const double least_epsilon : least_epsilons)
         treat_groups(suspects, 0, rings, search_anew(least_epsilon));
     }
+    treat_groups(suspects, 0, 1, [this](const std::vector<int>& region) { squeeze(region); });
     shake(suspects);
   }
 
@@ -186,17 +185,66 @@ private:
       if (!m_monitor.has_time("smooth_quad_mesh"))
         break;
       const std::vector<int> region = m_quads.surroundings(group, rings), quads = quads_at(region);
-      const Badness before = badness(quads, threshold);
-      const std::vector<Surface_walk::Place> old = m_quads.places(region);
-      attempt(region);
-      if (!(badness(quads, threshold) < before))
-        for (std::size_t i = 0; i < region.size(); ++i)
-          m_quads.move(region[i], old[i]);
+      keep_if_better(region, threshold, attempt);
       treated.insert(treated.end(), group.begin(), group.end());
       treated.insert(treated.end(), quads.begin(), quads.end());
     }
     sort_and_unify(treated);
     suspects.swap(treated);
+  }
+
+  // Makes an attempt with the vertices of a region, and undoes it if it does not help the quads
+  // there.
+  template <class Attempt>
+  void keep_if_better(const std::vector<int>& region, double threshold, const Attempt& attempt)
+  {
+    const std::vector<int> quads = quads_at(region);
+    const Badness before = badness(quads, threshold);
+    const std::vector<Surface_walk::Place> old = m_quads.places(region);
+    attempt(region);
+    if (!(badness(quads, threshold) < before))
+      for (std::size_t i = 0; i < region.size(); ++i)
+        m_quads.move(region[i], old[i]);
+  }
+
+  // Makes the bad quads of a region thinner, or wider. Where the surface is folded so tightly that
+  // both of its sheets are beside a quad, only a thin one agrees with its own, and no corner can go
+  // there alone.
+  void squeeze(const std::vector<int>& region)
+  {
+    constexpr double sufficient = 0.01;
+    for (const int f : quads_at(region))
+      for (int k = 0; k < 4; ++k)
+        for (const double fraction : {0.5, 0.75, 0.875, 0.95, 0.98, -0.5, -1.}) {
+          if (m_quads.score(f) > 0 || !m_monitor.has_time("smooth_quad_mesh"))
+            break;
+          const auto attempt = [&](const std::vector<int>& around) {
+            move_side(f, k, fraction, around);
+          };
+          keep_if_better(m_quads.surroundings({f}, 1), sufficient, attempt);
+        }
+  }
+
+  // moves side k of a quad by a fraction of the way to the opposite side, and searches for better
+  // places of those of the other vertices around that can move
+  void move_side(int f, int k, double fraction, std::vector<int> around)
+  {
+    const Polygons& mesh = m_quads.mesh();
+    const auto target = [&](int from, int to) -> Vector {
+      return mesh.points[from] + fraction * (mesh.points[to] - mesh.points[from]);
+    };
+    const auto corner = [&](int i) { return mesh.corner(f, i & 3); };
+    const auto move = [&](int v, const Vector& x) {
+      const auto i = std::lower_bound(around.begin(), around.end(), v);
+      if (i != around.end() && *i == v) {
+        m_quads.slide(v, x);
+        around.erase(i);
+      }
+    };
+    const Vector x = target(corner(k), corner(k + 3)), y = target(corner(k + 1), corner(k + 2));
+    move(corner(k), x);
+    move(corner(k + 1), y);
+    m_search.improve(around);
   }
 
   // Searches from random places around, for what nothing else helps, until many rounds in a row do
@@ -209,7 +257,8 @@ private:
       for (const int v : region)
         displace(v, random);
       unfold(region);
-      search(region);
+      m_search.improve(region);
+      squeeze(region);
     };
     int bad_quads = badness(suspects, 0).bad_quads;
     for (int i = 0, failures = 0; bad_quads > 0 && failures < patience; ++i) {
@@ -257,75 +306,9 @@ private:
     return result;
   }
 
-  void search(const std::vector<int>& region)
-  {
-    constexpr int rounds = 2;
-    for (int i = 0; i < rounds; ++i)
-      for (const double fraction : {0.5, 0.25, 0.125, 0.0625})
-        for (const int v : region)
-          search_around(v, fraction);
-  }
-
-  // Moves v to the best of the places that it gets to by steps of equal length: along the surface,
-  // or into it, which leads around the edges of thin parts.
-  void search_around(int v, double fraction)
-  {
-    const Surface_walk::Place start = m_quads.place(v);
-    const Vector inwards = -m_quads.normal(v);
-    const Vector t1 = inwards.unitOrthogonal(), t2 = inwards.cross(t1);
-    const double length = m_quads.edge_length(v), spring = 0.05 / (length * length);
-    Surface_walk::Place best = start;
-    double least = energy(v, start.point, spring, (std::numeric_limits<double>::infinity)());
-    for (int k = 0; k < 16; ++k) {
-      const double angle = k * CGAL_PI / 4;
-      const Vector along = std::cos(angle) * t1 + std::sin(angle) * t2;
-      const Vector step = k < 8 ? along : Vector((along + inwards) * std::sqrt(0.5));
-      const auto place = m_quads.reached(v, start.point + fraction * length * step);
-      if (!m_quads.is_permitted(v, place))
-        continue;
-      const double e = energy(v, place.point, spring, least);
-      if (e < least) {
-        least = e;
-        best = place;
-      }
-    }
-    if (least < (std::numeric_limits<double>::infinity)())
-      m_quads.move(v, best);
-  }
-
-  // The energy of the quads around v if v were at x; something above `limit` if it exceeds that.
-  // Quads count with the least that their energy can be until the nearest triangles, which take
-  // time to find, must be known.
-  double energy(int v, const Vector& x, double spring, double limit)
-  {
-    const Polygons& mesh = m_quads.mesh();
-    m_candidates.clear();
-    double sum = 0;
-    for (const int h : m_quads.corners(v)) {
-      const int g = mesh.next(h);
-      const Quad quad = {x, mesh.points[mesh.source[g]], mesh.points[mesh.target(g)],
-                         mesh.points[mesh.source[mesh.prev(h)]]};
-      m_candidates.push_back({quad, least_shape_energy(quad)});
-      sum += spring * (quad[1] - x).squaredNorm() + m_candidates.back().least_energy;
-    }
-    for (const Candidate& c : m_candidates) {
-      if (sum > limit)
-        break;
-      sum += shape_energy(c.quad, m_quads.surface_normal(c.quad, v)) - c.least_energy;
-    }
-    return sum;
-  }
-
-  // a quad at a vertex that might move
-  struct Candidate
-  {
-    Quad quad;
-    double least_energy;
-  };
-
-  std::vector<Candidate> m_candidates; // of the latest `energy`
   Quads_on_surface& m_quads;
   Vertex_steps m_steps;
+  Place_search m_search;
   const Monitor& m_monitor;
 };
 
