@@ -4,6 +4,7 @@
 //
 // Author(s) : The Quad_layouts authors
 
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Place_search.h>
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 
@@ -60,9 +61,14 @@ Mesh with_ears(Mesh mesh)
   return mesh;
 }
 
-QL::Quad_mesh_measures smoothed(Mesh& quads, const Mesh& surface)
+template <class NamedParametersQuads = QL::parameters::Default_named_parameters,
+          class NamedParametersSurface = QL::parameters::Default_named_parameters>
+QL::Quad_mesh_measures smoothed(
+    Mesh& quads, const Mesh& surface,
+    const NamedParametersQuads& np_quads = QL::parameters::default_values(),
+    const NamedParametersSurface& np_surface = QL::parameters::default_values())
 {
-  QL::smooth_quad_mesh(quads, surface);
+  QL::smooth_quad_mesh(quads, surface, np_quads, np_surface);
   const QL::Quad_mesh_measures result = QL::measure_quad_mesh(quads, surface);
   BOOST_TEST(result.inverted_quads == 0);
   BOOST_TEST(result.quads_against_surface == 0);
@@ -304,6 +310,72 @@ BOOST_AUTO_TEST_CASE(search_ends_where_nothing_helps)
   BOOST_CHECK_NO_THROW(
       QL::smooth_quad_mesh(mesh, surface, QL::parameters::visitor(std::ref(visitor))));
   BOOST_TEST(QL::measure_quad_mesh(mesh).inverted_quads == 2);
+}
+
+// A vertex is off its place by one and a half times the width of the slim quads there, far less
+// than the mean length of its edges.
+BOOST_AUTO_TEST_CASE(steps_fit_slim_quads)
+{
+  using namespace QL::internal;
+  constexpr int width = 2, height = 4;
+  constexpr double slimness = 1e-3;
+  const auto vertex = [&](int x, int y) { return y * (width + 1) + x; };
+  std::vector<Point> points;
+  std::vector<std::vector<int>> squares;
+  for (int y = 0; y <= height; ++y)
+    for (int x = 0; x <= width; ++x)
+      points.emplace_back(x, slimness * y, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      squares.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+  Mesh mesh = generated::mesh_of_polygons(points, squares);
+  const Mesh surface = generated::triangulated(mesh);
+  mesh.point(Mesh::Vertex_index(vertex(1, 1))) = Point(1, 2.5 * slimness, 0);
+
+  const Triangle_surface triangles = make_triangle_surface(surface, surface.points());
+  const Surface_walk walk(triangles);
+  Polygons polygons = make_polygons(mesh, mesh.points());
+  Quads_on_surface quads(polygons, walk);
+  BOOST_TEST(quads.bad_quads().size() == 2u);
+  Place_search(quads).improve({vertex(1, 1)});
+  BOOST_TEST(quads.bad_quads().empty());
+}
+
+// Two sheets of a surface, which are bent along a diagonal, meet in a fold of nearly 360 degrees. A
+// quad that reaches across the bend is nearer to the other sheet than to its own.
+BOOST_AUTO_TEST_CASE(quads_are_thin_between_sheets)
+{
+  const auto mark_fold = [](Mesh& mesh) {
+    const auto on_fold = mesh.add_property_map<Mesh::Edge_index, bool>("e:on_fold", false).first;
+    for (const auto e : edges(mesh))
+      on_fold[e] = mesh.point(mesh.vertex(e, 0)).x() == 0 && mesh.point(mesh.vertex(e, 1)).x() == 0;
+    return on_fold;
+  };
+  for (const int n : {2, 3})
+    for (const double bend : {0.2, 0.6})
+      for (const double fold : {0.02, 0.05}) {
+        const auto on_sheet = [&](int x, int y) {
+          const double height = bend * (std::min)(std::abs(x), y) + fold * (std::min)(x, 0);
+          return Point(std::abs(x), y, height);
+        };
+        const auto vertex = [&](int x, int y) { return y * (2 * n + 1) + x + n; };
+        std::vector<Point> points;
+        std::vector<std::vector<int>> squares;
+        for (int y = 0; y <= n; ++y)
+          for (int x = -n; x <= n; ++x)
+            points.push_back(on_sheet(x, y));
+        for (int y = 0; y < n; ++y)
+          for (int x = -n; x < n; ++x)
+            squares.push_back(
+                {vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+        Mesh quads = generated::mesh_of_polygons(points, squares);
+        Mesh surface = generated::mesh_of_polygons({on_sheet(0, 0), on_sheet(n, 0), on_sheet(n, n),
+                                                    on_sheet(0, n), on_sheet(-n, n),
+                                                    on_sheet(-n, 0)},
+                                                   {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
+        smoothed(quads, surface, QL::parameters::edge_is_constrained_map(mark_fold(quads)),
+                 QL::parameters::edge_is_constrained_map(mark_fold(surface)));
+      }
 }
 
 BOOST_AUTO_TEST_CASE(borders_stay)
