@@ -13,6 +13,8 @@
 #include <CGAL/Quad_layouts/internal/embedding/Vertex_neighbourhood.h>
 #include <CGAL/Quad_layouts/internal/embedding/Vertex_removal.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +26,7 @@ namespace internal {
 // Improves a map without inverted triangles, starting from one that may be far from the best.
 //
 // At first all triangles are measured as if they were of the same size and not narrow, so that none
-// dominates; then more and more as they are.
+// dominates; then more and more as they are. Large maps get fewer steps, as each takes long.
 inline void relax(Map& map, const std::vector<char>& is_fixed, const Monitor& monitor)
 {
   struct Stage
@@ -37,11 +39,14 @@ inline void relax(Map& map, const std::vector<char>& is_fixed, const Monitor& mo
                               {0.5, 0.02, 20},
                               {0.25, 0.005, 20},
                               {0, Rest_shape::least_aspect, 50}};
+  constexpr double large = 1e5;
+  const double effort = (std::min)(1., large / double(map.faces.size()));
   for (const Stage& stage : stages) {
+    const int max_steps = int(std::ceil(effort * stage.max_steps));
     Newton newton(map, is_fixed, stage.aspect);
     newton.even_out(stage.evenness);
     double value = newton.value(), decrease = 1;
-    for (int i = 0; i < stage.max_steps && decrease > 1e-4; ++i) {
+    for (int i = 0; i < max_steps && decrease > 1e-4; ++i) {
       monitor.check("embed");
       const double before = std::exchange(value, newton.step(value));
       decrease = (before - value) / before;

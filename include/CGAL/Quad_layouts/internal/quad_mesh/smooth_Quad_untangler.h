@@ -253,16 +253,19 @@ private:
   {
     constexpr int patience = 12;
     std::minstd_rand random; // always the same numbers
+    int rings = 1;
     const auto attempt = [&](const std::vector<int>& region) {
       for (const int v : region)
         displace(v, random);
       unfold(region);
       m_search.improve(region);
-      squeeze(region);
+      if (rings == 1) // it takes long
+        squeeze(region);
     };
     int bad_quads = badness(suspects, 0).bad_quads;
     for (int i = 0, failures = 0; bad_quads > 0 && failures < patience; ++i) {
-      treat_groups(suspects, 0, 1 + i % 4, attempt);
+      rings = 1 + i % 4;
+      treat_groups(suspects, 0, rings, attempt);
       const int remaining = badness(suspects, 0).bad_quads;
       failures = remaining < bad_quads ? 0 : failures + 1;
       bad_quads = remaining;
