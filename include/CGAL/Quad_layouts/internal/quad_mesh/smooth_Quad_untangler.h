@@ -96,8 +96,8 @@ private:
       for (const double least_epsilon : least_epsilons)
         treat_groups(suspects, 0, rings, search_anew(least_epsilon));
     }
-    treat_groups(suspects, 0, 1, [this](const std::vector<int>& region) { squeeze(region); });
     shake(suspects);
+    treat_groups(suspects, 0, 1, [this](const std::vector<int>& region) { squeeze(region); });
   }
 
   // how far quads are from being good
@@ -248,22 +248,22 @@ private:
   }
 
   // Searches from random places around, for what nothing else helps, until many rounds in a row do
-  // not help either.
+  // not help either; the last of these squeeze quads, too.
   void shake(std::vector<int>& suspects)
   {
     constexpr int patience = 12;
     std::minstd_rand random; // always the same numbers
-    int rings = 1;
+    int rings = 1, failures = 0;
     const auto attempt = [&](const std::vector<int>& region) {
       for (const int v : region)
         displace(v, random);
       unfold(region);
       m_search.improve(region);
-      if (rings == 1) // it takes long
+      if (rings == 1 && failures >= patience / 2) // it takes long
         squeeze(region);
     };
     int bad_quads = badness(suspects, 0).bad_quads;
-    for (int i = 0, failures = 0; bad_quads > 0 && failures < patience; ++i) {
+    for (int i = 0; bad_quads > 0 && failures < patience; ++i) {
       rings = 1 + i % 4;
       treat_groups(suspects, 0, rings, attempt);
       const int remaining = badness(suspects, 0).bad_quads;
