@@ -26,8 +26,8 @@ public:
   /// its start.
   void improved(double objective, double bound, double seconds);
 
-  /// is called when there is a `reason`, which ended a stage, to go on by another
-  /// `CGAL::Quad_layouts::Layout_route` than the one asked for.
+  /// is called when there is a `reason`, which ended a stage or spoiled its result, to go on by
+  /// another `CGAL::Quad_layouts::Layout_route` than the one asked for.
   void changed_route(const char* reason);
 
   /// is called often, and says whether the work shall go on. If it does not, the function that
