@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <functional>
-#include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,16 +26,27 @@ struct Result
   std::size_t number_of_bad_quads;
 };
 
-// makes results that are prepared, or fails, and notes the routes that it is asked for
-struct Attempt
+// What is made of T-meshes is prepared: by the route that was asked for, and by the field where
+// something else was. `automatic` is the route of the T-mesh that the route `AUTOMATIC` leads to.
+struct Attempts
 {
-  std::map<QL::Layout_route, std::function<Result()>> prepared;
-  std::vector<QL::Layout_route>& asked;
+  QL::Layout_route automatic;
+  std::function<Result()> made_first, made_by_field;
+  std::vector<QL::Layout_route> asked;
 
-  Result operator()(QL::Layout_route route) const
+  template <class NamedParameters>
+  Result best(const NamedParameters& np)
   {
-    asked.push_back(route);
-    return prepared.at(route)();
+    const auto trace = [&](QL::Layout_route route) {
+      asked.push_back(route);
+      QL::T_mesh t_mesh;
+      t_mesh.route = route == QL::AUTOMATIC ? automatic : route;
+      return t_mesh;
+    };
+    const auto remesh = [&](const QL::T_mesh&) {
+      return asked.size() == 1 ? made_first() : made_by_field();
+    };
+    return QL::try_layout_routes(trace, remesh, np);
   }
 };
 
@@ -56,70 +67,66 @@ struct Diary : QL::Default_visitor
   void changed_route(const char* why) { reason = why; }
 };
 
-// what there was, and what came of it
-struct Trial
-{
-  std::vector<QL::Layout_route> asked;
-  Diary diary;
-  Result result;
-
-  Trial(std::function<Result()> automatic, std::function<Result()> by_field)
-    : result(
-          QL::try_layout_routes(Attempt{{{QL::AUTOMATIC, automatic}, {QL::FIELD, by_field}}, asked},
-                                parameters::visitor(std::ref(diary))))
-  {
-  }
-};
+const std::function<Result()> not_tried = failed<std::logic_error>("tried");
 
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_good_result_is_taken_at_once)
 {
   for (const QL::Layout_route route : {QL::FIELD, QL::PARAMETRIZATION}) {
-    const Trial trial(made(route, 0), failed<QL::Stage_failure>("not tried"));
-    BOOST_TEST(trial.asked.size() == 1u);
-    BOOST_TEST(trial.result.route == route);
-    BOOST_TEST(trial.diary.reason == "");
+    Diary diary;
+    Attempts attempts{route, made(route, 0), not_tried, {}};
+    BOOST_TEST(attempts.best(parameters::visitor(std::ref(diary))).route == route);
+    BOOST_TEST((attempts.asked == std::vector<QL::Layout_route>{QL::AUTOMATIC}));
+    BOOST_TEST(diary.reason == "");
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_other_route_is_tried_once)
 {
-  const Trial better(made(QL::PARAMETRIZATION, 2), made(QL::FIELD, 1));
+  Diary diary;
+  const auto np = parameters::visitor(std::ref(diary));
+  Attempts better{QL::PARAMETRIZATION, made(QL::PARAMETRIZATION, 2), made(QL::FIELD, 1), {}};
+  BOOST_TEST(better.best(np).route == QL::FIELD);
   BOOST_TEST((better.asked == std::vector<QL::Layout_route>{QL::AUTOMATIC, QL::FIELD}));
-  BOOST_TEST(better.result.route == QL::FIELD);
-  BOOST_TEST(better.diary.reason == "2 bad quads");
-  const Trial equal(made(QL::PARAMETRIZATION, 1), made(QL::FIELD, 1));
-  BOOST_TEST(equal.result.route == QL::PARAMETRIZATION);
-  const Trial same_route(made(QL::FIELD, 1), failed<QL::Stage_failure>("not tried"));
-  BOOST_TEST(same_route.result.number_of_bad_quads == 1u);
+  BOOST_TEST(diary.reason == "2 bad quads");
+  Attempts equal{QL::PARAMETRIZATION, made(QL::PARAMETRIZATION, 1), made(QL::FIELD, 1), {}};
+  BOOST_TEST(equal.best(np).route == QL::PARAMETRIZATION);
+}
+
+// Where the automatic route is the field, the same would only happen again.
+BOOST_AUTO_TEST_CASE(nothing_is_tried_twice)
+{
+  Attempts bad{QL::FIELD, made(QL::FIELD, 1), not_tried, {}};
+  BOOST_TEST(bad.best(parameters::default_values()).number_of_bad_quads == 1u);
+  Attempts failing{QL::FIELD, failed<QL::Stage_failure>("no layout"), not_tried, {}};
+  BOOST_CHECK_THROW(failing.best(parameters::default_values()), QL::Stage_failure);
 }
 
 BOOST_AUTO_TEST_CASE(failures_are_overcome)
 {
-  const Trial first(failed<QL::Stage_failure>("no layout"), made(QL::FIELD, 0));
-  BOOST_TEST(first.result.route == QL::FIELD);
-  BOOST_TEST(first.diary.reason == "no layout");
-  const Trial second(made(QL::PARAMETRIZATION, 3), failed<QL::Stage_failure>("no layout"));
-  BOOST_TEST(second.result.number_of_bad_quads == 3u);
-  const Trial late(made(QL::PARAMETRIZATION, 3), failed<QL::Time_limit_exceeded>("too late"));
-  BOOST_TEST(late.result.number_of_bad_quads == 3u);
-  BOOST_CHECK_THROW(
-      Trial(failed<QL::Stage_failure>("no layout"), failed<QL::Stage_failure>("none, either")),
-      QL::Stage_failure);
-  BOOST_CHECK_THROW(Trial(failed<QL::Cancelled>("stop"), made(QL::FIELD, 0)), QL::Cancelled);
-  BOOST_CHECK_THROW(Trial(made(QL::PARAMETRIZATION, 1), failed<QL::Cancelled>("stop")),
-                    QL::Cancelled);
+  Diary diary;
+  const auto best = [&](std::function<Result()> first, std::function<Result()> by_field) {
+    return Attempts{QL::PARAMETRIZATION, first, by_field, {}}.best(
+        parameters::visitor(std::ref(diary)));
+  };
+  const auto failure = failed<QL::Stage_failure>("no layout"), stop = failed<QL::Cancelled>("stop");
+  const auto bad = made(QL::PARAMETRIZATION, 3), good = made(QL::FIELD, 0);
+  BOOST_TEST(best(failure, good).route == QL::FIELD);
+  BOOST_TEST(diary.reason == "no layout");
+  BOOST_TEST(best(bad, failure).number_of_bad_quads == 3u);
+  BOOST_TEST(best(bad, failed<QL::Time_limit_exceeded>("late")).number_of_bad_quads == 3u);
+  BOOST_CHECK_THROW(best(failure, failure), QL::Stage_failure);
+  BOOST_CHECK_THROW(best(stop, good), QL::Cancelled);
+  BOOST_CHECK_THROW(best(bad, stop), QL::Cancelled);
 }
 
 BOOST_AUTO_TEST_CASE(a_route_that_was_asked_for_is_kept)
 {
   for (const QL::Layout_route route : {QL::FIELD, QL::PARAMETRIZATION}) {
-    std::vector<QL::Layout_route> asked;
-    const Attempt attempt{{{route, made(route, 5)}}, asked};
-    BOOST_TEST(
-        QL::try_layout_routes(attempt, parameters::layout_route(route)).number_of_bad_quads == 5u);
-    BOOST_TEST((asked == std::vector<QL::Layout_route>{route}));
+    Attempts attempts{route, made(route, 5), not_tried, {}};
+    BOOST_TEST(attempts.best(parameters::layout_route(route)).number_of_bad_quads == 5u);
+    BOOST_TEST((attempts.asked == std::vector<QL::Layout_route>{route}));
   }
 }
 

@@ -69,7 +69,6 @@ struct Progress : QL::Default_visitor
 // what the stages make of a T-mesh
 struct Remeshing
 {
-  QL::Layout_route route;
   QL::T_mesh t_mesh;
   QL::Quantization quantization;
   QL::Quad_layout layout;
@@ -279,7 +278,6 @@ Remeshing remesh(QL::T_mesh t_mesh, const Mesh& mesh, const Options& options,
 {
   const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
   Remeshing r;
-  r.route = t_mesh.route;
   r.t_mesh = std::move(t_mesh);
   r.quantization = quantization_of(r.t_mesh, options, clock, np);
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
@@ -310,15 +308,13 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
   progress.quiet = options.quiet;
   const auto np = shared_parameters(mesh, options, progress);
   const auto features = sharp_edges(mesh, options.features);
-  const auto attempt = [&](auto&& trace) {
-    QL::T_mesh t_mesh = clock("trace", trace);
-    return remesh(std::move(t_mesh), mesh, options, features, clock, np);
+  const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
+  const auto trace = [&](QL::Layout_route route) {
+    return clock("trace",
+                 [&] { return QL::compute_t_mesh(results.field, limited().layout_route(route)); });
   };
-  const auto attempt_by = [&](QL::Layout_route route) {
-    return attempt([&] {
-      return QL::compute_t_mesh(results.field,
-                                np.layout_route(route).maximum_running_time(clock.seconds_left()));
-    });
+  const auto remesh_on = [&](QL::T_mesh t_mesh) {
+    return remesh(std::move(t_mesh), mesh, options, features, clock, np);
   };
   const auto keep_field = [&](QL::Cross_field field) {
     results.field = std::move(field);
@@ -331,16 +327,15 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
       return read_parametrization(options.parametrization, mesh, features);
     });
     keep_field(QL::compute_cross_field(map));
-    best = attempt([&] {
-      return QL::trace_motorcycle_graph(map, np.maximum_running_time(clock.seconds_left()));
-    });
+    best = remesh_on(clock("trace", [&] { return QL::trace_motorcycle_graph(map, limited()); }));
   } else {
     keep_field(clock("field", [&] {
       return field_of(mesh, options, features, progress, clock.seconds_left());
     }));
     // files of programs are of one T-mesh
     const bool is_bound = !options.program.empty() || !options.solution.empty();
-    best = is_bound ? attempt_by(route_of(options)) : QL::try_layout_routes(attempt_by, np);
+    best = is_bound ? remesh_on(trace(route_of(options)))
+                    : QL::try_layout_routes(trace, remesh_on, np);
   }
   clock.finish();
   results.quality = QL::measure_quad_mesh(

@@ -47,18 +47,18 @@ Quantization quantize_on_mesh(const T_mesh& t_mesh, const TriangleMesh& tm,
   }
 }
 
-template <class TriangleMesh, class NamedParameters>
-Cross_field field_of(const TriangleMesh& tm, const Time_budget& budget, const NamedParameters& np)
+// computes the field and T-meshes of a mesh, and what `remesh` makes of the best of these
+template <class TriangleMesh, class NamedParameters, class Remesh>
+auto remesh_by_routes(const TriangleMesh& tm, const Time_budget& budget, const NamedParameters& np,
+                      const Remesh& remesh)
 {
-  return compute_cross_field(tm, with_time_limit(np, budget.left_for("compute_cross_field")));
-}
-
-template <class NamedParameters>
-T_mesh t_mesh_by(Layout_route route, const Cross_field& field, const Time_budget& budget,
-                 const NamedParameters& np)
-{
-  return compute_t_mesh(field, with_time_limit(append<internal_np::layout_route_t>(np, route),
-                                               budget.left_for("trace_motorcycle_graph")));
+  const Cross_field field = compute_cross_field(
+      tm, with_time_limit(np, budget.left_for("compute_cross_field")));
+  const auto trace = [&](Layout_route route) {
+    return compute_t_mesh(field, with_time_limit(append<internal_np::layout_route_t>(np, route),
+                                                 budget.left_for("trace_motorcycle_graph")));
+  };
+  return try_layout_routes(trace, remesh, np);
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -73,17 +73,15 @@ Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Ti
   return extract_quad_layout(t_mesh, quantization);
 }
 
-// what `try_layout_routes()` makes for a layout, and for a quad mesh
-struct Attempted_layout
+// what is made of a T-mesh: a layout, or the grid of a quad mesh
+struct Layout_of_t_mesh
 {
   Quad_layout layout;
-  Layout_route route;
   std::size_t number_of_bad_quads = 0;
 };
-struct Attempted_grid : Smooth_grid
+struct Grid_of_t_mesh : Smooth_grid
 {
   std::unique_ptr<const Quad_layout> layout; // which the grid refers to
-  Layout_route route;
 };
 
 } // namespace internal
@@ -125,12 +123,11 @@ void quad_layout(const TriangleMesh& tm, LayoutMesh& out,
                  const NamedParametersOut& np_out = parameters::default_values())
 {
   const internal::Time_budget budget(internal::running_time_limit(np));
-  const Cross_field field = internal::field_of(tm, budget, np);
-  const auto attempt = [&](Layout_route route) -> internal::Attempted_layout {
-    const T_mesh t_mesh = internal::t_mesh_by(route, field, budget, np);
-    return {internal::simple_layout(t_mesh, tm, budget, np), t_mesh.route};
+  const auto remesh = [&](const T_mesh& t_mesh) -> internal::Layout_of_t_mesh {
+    return {internal::simple_layout(t_mesh, tm, budget, np)};
   };
-  copy_face_graph(try_layout_routes(attempt, np).layout, out, parameters::default_values(), np_out);
+  copy_face_graph(internal::remesh_by_routes(tm, budget, np, remesh).layout, out,
+                  parameters::default_values(), np_out);
 }
 
 /*!
@@ -172,18 +169,16 @@ std::size_t quad_remesh(const TriangleMesh& tm, QuadMesh& out,
   CGAL_precondition(is_empty(out));
   using internal::with_time_limit;
   const internal::Time_budget budget(internal::running_time_limit(np));
-  const Cross_field field = internal::field_of(tm, budget, np);
-  const auto attempt = [&](Layout_route route) -> internal::Attempted_grid {
-    const T_mesh t_mesh = internal::t_mesh_by(route, field, budget, np);
+  const auto remesh = [&](const T_mesh& t_mesh) -> internal::Grid_of_t_mesh {
     auto layout = std::make_unique<const Quad_layout>(
         internal::simple_layout(t_mesh, tm, budget, np));
     const Integer_grid_map map = embed_quad_layout(
         t_mesh, *layout, with_time_limit(np, budget.left_for("embed_quad_layout")));
     internal::Smooth_grid grid = internal::smooth_grid_on(
         tm, map, *layout, np_out, with_time_limit(np, budget.left_for_improvement()));
-    return {std::move(grid), std::move(layout), t_mesh.route};
+    return {std::move(grid), std::move(layout)};
   };
-  const internal::Attempted_grid best = try_layout_routes(attempt, np);
+  const internal::Grid_of_t_mesh best = internal::remesh_by_routes(tm, budget, np, remesh);
   internal::build_mesh(best.divided, best.points, out, np_out);
   return best.number_of_bad_quads;
 }

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_TRY_LAYOUT_ROUTES_H
 
 #include <CGAL/Quad_layouts/Layout_route.h>
+#include <CGAL/Quad_layouts/T_mesh.h>
 #include <CGAL/Quad_layouts/exceptions.h>
 #include <CGAL/Quad_layouts/parameters.h>
 #include <CGAL/Quad_layouts/visitor.h>
@@ -22,28 +23,29 @@ namespace Quad_layouts {
 /*!
 \ingroup PkgQuadLayoutsFunctions
 
-makes something by a layout route, and by another one if it is not good.
+makes something of a T-mesh by a layout route, and again by another one if it is not good.
 
-It returns `attempt(route)` with the route in `np`. But if that is `AUTOMATIC`, and the attempt
-fails, or takes a parametrization and leaves quads that are inverted or oppose the surface, it tells
-the visitor and makes another attempt by the route `FIELD`: the two T-meshes differ enough for one
-to be good where the other is not. Then it returns the result with fewer such quads, of two alike
-the first.
+It returns `remesh(trace(route))` with the route in `np`. But if that is `AUTOMATIC`, and the T-mesh
+is that of a parametrization, and what is made of it fails, or has quads that are inverted or oppose
+the surface, it tells the visitor and returns `remesh(trace(FIELD))` if that has fewer such quads:
+the two T-meshes differ enough for one to be good where the other is not.
 
-\tparam Attempt a function object that takes a `Layout_route`, which it passes to
-        `compute_t_mesh()`, and returns a movable object with two members: `route`, the
-        `Layout_route` of the T-mesh, and `number_of_bad_quads`, what `extract_smooth_quad_mesh()`
-        returns
+\tparam Trace a function object that takes a `Layout_route` and returns the `T_mesh` that
+        `compute_t_mesh()` gives for it
+\tparam Remesh a function object that takes a `T_mesh` and returns a movable object with a member
+        `number_of_bad_quads`, what `extract_smooth_quad_mesh()` returns
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param attempt runs the stages from `compute_t_mesh()` on
+\param trace runs `compute_t_mesh()`
+\param remesh runs the stages that follow
 \param np an optional sequence of the named parameters `layout_route` and `visitor` of
           `compute_t_mesh()`
 
-\throw Error what the attempt throws; that of the second one, if both end in a `Stage_failure`.
+\throw Error what these functions throw. A `Stage_failure` or `Time_limit_exceeded` of the second
+attempt is not an error if the first one has made something.
 */
-template <class Attempt, class NamedParameters = parameters::Default_named_parameters>
-auto try_layout_routes(const Attempt& attempt,
+template <class Trace, class Remesh, class NamedParameters = parameters::Default_named_parameters>
+auto try_layout_routes(const Trace& trace, const Remesh& remesh,
                        const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
@@ -51,14 +53,15 @@ auto try_layout_routes(const Attempt& attempt,
 
   const Layout_route asked = choose_parameter(get_parameter(np, internal_np::layout_route),
                                               AUTOMATIC);
-  if (asked != AUTOMATIC)
-    return attempt(asked);
+  T_mesh t_mesh = trace(asked);
+  if (asked != AUTOMATIC || t_mesh.route == FIELD)
+    return remesh(std::move(t_mesh));
 
   const internal::Monitor visitor = internal::visitor_of(np);
-  std::optional<decltype(attempt(asked))> first;
+  std::optional<decltype(remesh(std::move(t_mesh)))> first;
   try {
-    first.emplace(attempt(AUTOMATIC));
-    if (first->number_of_bad_quads == 0 || first->route == FIELD)
+    first.emplace(remesh(std::move(t_mesh)));
+    if (first->number_of_bad_quads == 0)
       return std::move(*first);
     const std::string reason = std::to_string(first->number_of_bad_quads) + " bad quads";
     visitor.changed_route(reason.c_str());
@@ -66,11 +69,11 @@ auto try_layout_routes(const Attempt& attempt,
     visitor.changed_route(failure.what());
   }
   if (!first)
-    return attempt(FIELD);
+    return remesh(trace(FIELD));
   try {
-    auto second = attempt(FIELD);
+    auto second = remesh(trace(FIELD));
     return std::move(second.number_of_bad_quads < first->number_of_bad_quads ? second : *first);
-  } catch (const Stage_failure&) { // the first attempt is still there
+  } catch (const Stage_failure&) { // what the first attempt has made is still there
   } catch (const Time_limit_exceeded&) {
   }
   return std::move(*first);

@@ -212,17 +212,23 @@ private:
   // there alone.
   void squeeze(const std::vector<int>& region)
   {
-    constexpr double sufficient = 0.01;
     for (const int f : quads_at(region))
-      for (int k = 0; k < 4; ++k)
-        for (const double fraction : {0.5, 0.75, 0.875, 0.95, 0.98, -0.5, -1.}) {
-          if (m_quads.score(f) > 0 || !m_monitor.has_time("smooth_quad_mesh"))
-            break;
-          const auto attempt = [&](const std::vector<int>& around) {
-            move_side(f, k, fraction, around);
-          };
-          keep_if_better(m_quads.surroundings({f}, 1), sufficient, attempt);
-        }
+      if (!(m_quads.score(f) > 0))
+        squeeze_quad(f);
+  }
+
+  void squeeze_quad(int f)
+  {
+    constexpr double sufficient = 0.01;
+    const std::vector<int> around = m_quads.surroundings({f}, 1);
+    for (int k = 0; k < 4; ++k)
+      for (const double fraction : {0.5, 0.75, 0.875, 0.95, 0.98, -0.5, -1.}) {
+        keep_if_better(around, sufficient, [&](const std::vector<int>& vertices) {
+          move_side(f, k, fraction, vertices);
+        });
+        if (m_quads.score(f) > 0 || !m_monitor.has_time("smooth_quad_mesh"))
+          return;
+      }
   }
 
   // moves side k of a quad by a fraction of the way to the opposite side, and searches for better
