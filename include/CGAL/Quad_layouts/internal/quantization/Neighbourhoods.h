@@ -22,8 +22,7 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Makes the boxes of a large-neighbourhood search: free near some nodes, and along the dual loops
-// through this region.
+// Makes the boxes of a large-neighbourhood search.
 class Neighbourhoods
 {
 public:
@@ -33,24 +32,27 @@ public:
   }
 
   // returns the box about `x` that is free around the `count` singularities nearest to `nodes`
-  Box around(const std::vector<int>& nodes, int count, const std::vector<int>& x)
+  Box near(const std::vector<int>& nodes, int count, const std::vector<int>& x)
   {
-    std::vector<char> is_near(x.size(), 0);
-    for (int v : variables_near(nodes, count))
-      is_near[v] = 1;
     Box box(x);
-    for (const Loop& loop : dual_loops(m_t_mesh, m_graph, x))
-      if (std::any_of(loop.begin(), loop.end(), [&](int v) { return is_near[v]; }))
-        for (int v : loop) {
-          box.low[v] = 0;
-          box.high[v] = x[v] + 1;
-        }
-    for (std::size_t v = 0; v < x.size(); ++v)
-      if (is_near[v]) {
-        box.low[v] = 0;
-        box.high[v] = Box::unbounded;
-      }
+    for (int v : variables_near(nodes, count))
+      box.free(v);
     return box;
+  }
+
+  // lets the dual loops of `x` that pass free variables shrink and grow along their whole length
+  void free_loops_through(Box& box, const std::vector<int>& x) const
+  {
+    std::vector<char> is_passed(x.size(), 0);
+    for (const Loop& loop : dual_loops(m_t_mesh, m_graph, x))
+      if (std::any_of(loop.begin(), loop.end(), [&](int v) { return !box.is_fixed(v); }))
+        for (int v : loop)
+          is_passed[v] = 1;
+    for (std::size_t v = 0; v < x.size(); ++v)
+      if (is_passed[v] && box.is_fixed(int(v))) {
+        box.low[v] = 0;
+        box.high[v] = x[v] + 1;
+      }
   }
 
   // returns the ends of the arcs that one of the dual loops of `x` crosses, none if there is no

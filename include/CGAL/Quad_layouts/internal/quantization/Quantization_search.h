@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quantization/Incumbent.h>
 #include <CGAL/Quad_layouts/internal/quantization/Loop_exchange.h>
+#include <CGAL/Quad_layouts/internal/quantization/Neighbourhood_schedule.h>
 #include <CGAL/Quad_layouts/internal/quantization/Neighbourhoods.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_options.h>
 #include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
@@ -22,7 +23,6 @@
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -36,12 +36,12 @@ namespace internal {
 
 // Solves the program of [LCK21b] for a T-mesh, in steps that each begin with the best solution so
 // far:
-// - a greedy sum of dual loops, and exchange of loops at random;
+// - a greedy sum of dual loops;
 // - the relaxation with cutting planes, for a bound;
 // - a short branch and cut in the whole program, which is enough for many models;
 // - rounds of growing effort: branch and cut where solution and relaxation differ; in
-//   neighbourhoods, of the best solution, then of others made of it by exchange of loops, and where
-//   both differ; and from the second round on in the whole program, for the proof.
+//   neighbourhoods of the best solution, then of others made of it by exchange of loops at random,
+//   and where both differ; and from the second round on in the whole program, for the proof.
 //
 // The effort of the solver is bounded by nodes of its search tree, so that results can be repeated;
 // time limits are the last resort. Of many index rows solvers see those that some solution has
@@ -58,7 +58,9 @@ public:
       m_paper(build_quantization_program(t_mesh, options.demands, options.wishes)),
       m_graph(t_mesh, m_paper.zero_arcs()), m_program(reduce(t_mesh, m_paper, m_graph)),
       m_incumbent(t_mesh, m_paper, m_graph, m_program, m_limited_monitor),
-      m_neighbourhoods(t_mesh, m_graph), m_exchange(m_program, m_graph)
+      m_neighbourhoods(t_mesh, m_graph),
+      m_schedule(int(m_paper.singularities.size()), m_program.number_of_variables()),
+      m_exchange(m_program, m_graph)
   {
   }
 
@@ -66,10 +68,9 @@ public:
   {
     if (m_incumbent.start() || find_first_solution()) {
       report_improvement();
-      exchange_loops();
       make_index_rows_lazy_if_many(m_program);
-      solve_relaxation();
-      search_whole_program(20, 0.1);
+      if (solve_relaxation())
+        search_whole_program(20, 0.1);
       for (int factor = 1; !is_done() && factor <= largest_factor; factor *= 4) {
         search_disagreement(200 * factor);
         search_neighbourhoods(m_incumbent, 60 * factor);
@@ -90,11 +91,7 @@ private:
     return timer;
   }
 
-  // of neighbourhoods
-  enum Kind { SINGULARITY, SINGULARITY_ON_SUPPORT, LOOP, LOOP_ON_SUPPORT, WITHOUT_LOOPS };
-  static constexpr std::array<Kind, 8> kinds{SINGULARITY,     WITHOUT_LOOPS, SINGULARITY_ON_SUPPORT,
-                                             WITHOUT_LOOPS,   LOOP,          WITHOUT_LOOPS,
-                                             LOOP_ON_SUPPORT, WITHOUT_LOOPS};
+  using Kind = Neighbourhood_schedule::Kind;
 
   static constexpr int largest_factor = 1 << 16; // of the effort; ends the search of poor solvers
   // of the time that is left for one of many searches, so that none takes it from the others
@@ -207,8 +204,9 @@ private:
   // what the relaxation of the whole program takes at most
   int nodes_of_relaxation() const { return 20 + m_program.number_of_variables() / 50; }
 
-  // strengthens the relaxation by cutting planes as long as this pays
-  void solve_relaxation()
+  // Strengthens the relaxation by cutting planes as long as this pays. Says if there was time for
+  // it, so that a search in the whole program may have success, too.
+  bool solve_relaxation()
   {
     constexpr double least_gain = 0.0005;
     const Box everything = whole_program(Box::Rows::EXACT);
@@ -218,20 +216,20 @@ private:
                                                    Domain::REALS);
       m_monitor.check("quantize");
       if (solution.x.empty())
-        return;
+        return false;
       m_relaxation = solution.x;
       raise_bound(solution.bound);
       if (m_timer.time() > 0.2 * m_options.seconds)
-        return;
+        return false;
       if (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0)
         continue;
       if (everything.covers_are_soft || m_program.index_rows_are_soft || is_done() ||
           m_bound - previous <= least_gain * m_bound)
-        return;
+        return true;
       previous = m_bound;
       solution.x.insert(solution.x.end(), solution.indicators.begin(), solution.indicators.end());
       if (strengthen_relaxation(m_program, solution.x) == 0)
-        return;
+        return true;
     }
   }
 
@@ -243,26 +241,6 @@ private:
     report();
   }
 
-  // ends when many exchanges in a row bring nothing; single loops are not symmetric
-  void exchange_loops()
-  {
-    if (!m_program.mirrored.empty())
-      return;
-    constexpr double slack = 1.01; // worse solutions may lead on to better ones
-    constexpr int patience = 200;
-    m_exchange.start_from(loops_of(m_incumbent));
-    for (int failures = 0; failures < patience && m_timer.time() < 0.1 * m_options.seconds;
-         ++failures) {
-      m_monitor.check("quantize");
-      if (m_exchange.step(slack * m_incumbent.objective()) &&
-          m_exchange.objective() < m_incumbent.objective() &&
-          m_incumbent.improve_by(m_exchange.values())) {
-        report_improvement();
-        failures = 0;
-      }
-    }
-  }
-
   std::vector<Loop> loops_of(const Incumbent& incumbent) const
   {
     return dual_loops(m_t_mesh, m_graph, incumbent.values());
@@ -272,6 +250,8 @@ private:
   void restrict_to_support(Box& box, const Incumbent& incumbent) const
   {
     constexpr double positive = 1e-6;
+    if (m_relaxation.empty())
+      return;
     box.longest_path = 4;
     for (int v = 0; v < m_program.number_of_variables(); ++v)
       if (m_relaxation[v] < positive && incumbent.values()[v] == 0)
@@ -315,34 +295,38 @@ private:
     search(between, effort(nodes, small_share), improved);
   }
 
-  // Searches around singularities, around dual loops of the solution, and where some loops are
-  // taken away; the latter every second time, around others every second time on the support only.
-  // Neighbourhoods of a kind grow while they are solved to optimality. Ends when many in a row
-  // bring nothing.
+  // says if it has brought a better solution
+  bool search_neighbourhood(Kind kind, int nodes, Incumbent& incumbent)
+  {
+    const Box box = neighbourhood(kind, m_schedule.size(kind), incumbent);
+    bool improved;
+    const Box_solution solution = search(box, effort(nodes, small_share), incumbent, improved);
+    m_schedule.note(kind, box.number_of_free_variables(), solution.status == Box_solution::OPTIMAL,
+                    improved);
+    m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
+    return improved;
+  }
+
+  // Searches in neighbourhoods of all kinds; ends when many in a row bring nothing.
   void search_neighbourhoods(Incumbent& incumbent, int nodes)
   {
     const int patience = 20 + int(m_paper.singularities.size()) / 4;
     for (int failures = 0; !is_done() && failures < patience; ++failures) {
-      const Kind kind = kinds[m_neighbourhood++ % kinds.size()];
-      double& size = m_size[kind];
-      Box box = neighbourhood(kind, int(size), incumbent);
-      bool improved;
-      const Box_solution solution = search(box, effort(nodes, small_share), incumbent, improved);
-      if (improved)
+      if (search_neighbourhood(m_schedule.next(), nodes, incumbent))
         failures = 0;
-      else
-        resize(size, solution.status == Box_solution::OPTIMAL);
-      m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
     }
   }
 
   Box neighbourhood(Kind kind, int size, const Incumbent& incumbent)
   {
-    Box box = kind == WITHOUT_LOOPS
+    using Schedule = Neighbourhood_schedule;
+    Box box = kind == Schedule::WITHOUT_LOOPS
                   ? without_loops(size, incumbent)
-                  : m_neighbourhoods.around(centre(kind, incumbent), size, incumbent.values());
+                  : m_neighbourhoods.near(centre(kind, incumbent), size, incumbent.values());
+    if (kind != Schedule::WITHOUT_LOOPS && kind != Schedule::REGION)
+      m_neighbourhoods.free_loops_through(box, incumbent.values());
     free_mirrored(m_program, box);
-    if ((kind == SINGULARITY_ON_SUPPORT || kind == LOOP_ON_SUPPORT) && !m_relaxation.empty())
+    if (kind == Schedule::SINGULARITY_ON_SUPPORT || kind == Schedule::LOOP_ON_SUPPORT)
       restrict_to_support(box, incumbent);
     return box;
   }
@@ -351,7 +335,7 @@ private:
   {
     const auto choose = [this](std::size_t n) { return m_random() % n; };
     std::vector<int> result;
-    if (kind == LOOP || kind == LOOP_ON_SUPPORT)
+    if (kind == Neighbourhood_schedule::LOOP || kind == Neighbourhood_schedule::LOOP_ON_SUPPORT)
       result = m_neighbourhoods.along_a_loop(incumbent.values(), choose);
     if (result.empty())
       result.push_back(m_paper.singularities[choose(m_paper.singularities.size())]);
@@ -368,13 +352,6 @@ private:
     for (std::size_t v = 0; v < box.high.size(); ++v)
       box.high[v] = incumbent.values()[v] + 1;
     return box;
-  }
-
-  void resize(double& size, bool was_solved) const
-  {
-    constexpr double factor = 1.25;
-    const double all = double(m_paper.singularities.size());
-    size = was_solved ? (std::min)(size * factor, all) : (std::max)(size / factor, 2.);
   }
 
   // evaluates the solution anew, in the program of the paper
@@ -412,10 +389,9 @@ private:
   Reduced_program m_program;
   Incumbent m_incumbent;
   Neighbourhoods m_neighbourhoods;
+  Neighbourhood_schedule m_schedule;
   Loop_exchange m_exchange;
   std::vector<double> m_relaxation;
-  std::array<double, 5> m_size{16, 16, 16, 16, 2}; // of neighbourhoods, per kind
-  int m_neighbourhood = 0;
   std::mt19937 m_random;
   bool m_is_exhausted = false;
   double m_bound = 0; // all costs are positive

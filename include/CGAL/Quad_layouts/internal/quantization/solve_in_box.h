@@ -46,6 +46,19 @@ struct Box
   explicit Box(const std::vector<int>& x) : low(x), high(x), rows(Rows::ALL) {}
 
   bool is_fixed(int v) const { return low[v] == high[v]; }
+  void free(int v)
+  {
+    low[v] = 0;
+    high[v] = unbounded;
+  }
+
+  int number_of_free_variables() const
+  {
+    int result = 0;
+    for (std::size_t v = 0; v < low.size(); ++v)
+      result += !is_fixed(int(v));
+    return result;
+  }
 };
 
 // frees all variables of symmetry rows that have a free one
@@ -55,10 +68,8 @@ inline void free_mirrored(const Reduced_program& program, Box& box)
     if (std::any_of(equation.begin(), equation.end(),
                     [&](const auto& term) { return !box.is_fixed(term.first); }))
       for (const auto& term : equation)
-        if (box.is_fixed(term.first)) {
-          box.low[term.first] = 0;
-          box.high[term.first] = Box::unbounded;
-        }
+        if (box.is_fixed(term.first))
+          box.free(term.first);
 }
 
 struct Search_effort
