@@ -4,12 +4,10 @@
 //
 // Author(s) : The Quad_layouts authors
 
-#include "generated_meshes.h"
+#include "noisy_program.h"
 
-#include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/internal/quantization/Loop_exchange.h>
 #include <CGAL/Quad_layouts/internal/quantization/evaluate_program.h>
-#include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -21,29 +19,6 @@ BOOST_AUTO_TEST_SUITE(test_Loop_exchange)
 
 namespace QL = CGAL::Quad_layouts;
 namespace internal = QL::internal;
-
-// the program of a noisy sphere, in which many pairs can merge
-struct Fixture
-{
-  QL::T_mesh t_mesh = QL::trace_motorcycle_graph(
-      QL::compute_cross_field(generated::noisy(generated::icosphere(3), 0.08, 3)));
-  internal::Dual_graph graph{t_mesh};
-  internal::Reduced_program program = internal::reduce(
-      t_mesh,
-      internal::build_quantization_program(t_mesh,
-                                           {0.27, 0.04 * t_mesh.surface().diagonal(), -4, 1}),
-      graph);
-
-  // covers everything
-  std::vector<internal::Loop> loops() const
-  {
-    internal::Loop_search search(graph);
-    std::vector<internal::Loop> result;
-    for (int v = 0; v < program.number_of_variables(); ++v)
-      result.push_back(search.cheapest_loop({v}, program.cost));
-    return result;
-  }
-};
 
 namespace {
 
@@ -62,7 +37,7 @@ void check(const internal::Row_counts& counts, const internal::Reduced_program& 
 
 // The counts that are kept up to date are those of an evaluation from scratch, cuts that come in
 // between included.
-BOOST_FIXTURE_TEST_CASE(counts_keep_up_with_changes, Fixture)
+BOOST_FIXTURE_TEST_CASE(counts_keep_up_with_changes, Noisy_program)
 {
   BOOST_REQUIRE(!program.indicators.empty());
   internal::Row_counts counts(program);
@@ -84,7 +59,7 @@ BOOST_FIXTURE_TEST_CASE(counts_keep_up_with_changes, Fixture)
 
 // Each state is a consistent solution of all rows that is not above the limit, and the best one is
 // far better than the first.
-BOOST_FIXTURE_TEST_CASE(improves_a_sum_of_loops, Fixture)
+BOOST_FIXTURE_TEST_CASE(improves_a_sum_of_loops, Noisy_program)
 {
   internal::Loop_exchange exchange(program, graph);
   exchange.start_from(loops());
@@ -103,7 +78,7 @@ BOOST_FIXTURE_TEST_CASE(improves_a_sum_of_loops, Fixture)
 }
 
 // New rows are satisfied from the next step on.
-BOOST_FIXTURE_TEST_CASE(takes_notice_of_cuts, Fixture)
+BOOST_FIXTURE_TEST_CASE(takes_notice_of_cuts, Noisy_program)
 {
   internal::Loop_exchange exchange(program, graph);
   exchange.start_from(loops());

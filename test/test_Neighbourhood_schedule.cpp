@@ -27,7 +27,8 @@ std::vector<int> frequencies(int searches, int successful = Schedule::NUMBER_OF_
   for (int i = 0; i < searches; ++i) {
     const auto kind = schedule.next();
     ++result[kind];
-    schedule.note(kind, (kind + 1) * variables, true, kind == successful);
+    schedule.begin(kind, (kind + 1) * variables);
+    schedule.end(kind, (kind + 1) * variables, true, kind == successful);
   }
   return result;
 }
@@ -54,10 +55,11 @@ BOOST_AUTO_TEST_CASE(success_is_followed_up)
 BOOST_AUTO_TEST_CASE(searches_that_end_at_their_limit_are_dear)
 {
   Schedule schedule(100, variables);
-  schedule.note(Schedule::REGION, variables, false, false);
+  schedule.begin(Schedule::REGION, variables);
+  schedule.end(Schedule::REGION, variables, false, false);
   int others = 0;
   for (; schedule.next() != Schedule::REGION; ++others)
-    schedule.note(schedule.next(), variables, true, false);
+    schedule.begin(schedule.next(), variables);
   BOOST_TEST(others > 2 * Schedule::NUMBER_OF_KINDS);
 }
 
@@ -67,7 +69,8 @@ BOOST_AUTO_TEST_CASE(sizes_fit_what_can_be_solved)
   Schedule schedule(most, variables);
   const auto search = [&](int largest, bool improved) {
     const int size = schedule.size(Schedule::LOOP);
-    schedule.note(Schedule::LOOP, variables, size <= largest, improved);
+    schedule.begin(Schedule::LOOP, variables);
+    schedule.end(Schedule::LOOP, variables, size <= largest, improved);
     return size;
   };
   for (int i = 0; i < 100; ++i) {

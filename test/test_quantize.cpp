@@ -262,6 +262,7 @@ BOOST_AUTO_TEST_CASE(refuses_parameters_out_of_range)
   BOOST_CHECK_THROW(QL::quantize(t, np.minimum_valence(1)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.maximum_valence(3)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.relative_gap(-0.1)), QL::Invalid_parameter);
+  BOOST_CHECK_THROW(QL::quantize(t, np.concurrent_searches(0)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.maximum_running_time(0)), QL::Invalid_parameter);
 }
 
@@ -288,6 +289,40 @@ BOOST_AUTO_TEST_CASE(listens_to_the_visitor)
   Curious curious;
   QL::quantize(t, np.visitor(std::ref(curious)));
   BOOST_TEST(curious.last == 12);
+}
+
+// solves only programs that are small, such as those of neighbourhoods
+struct Small_programs_traits : QL::GLPK_mixed_integer_program_traits<double>
+{
+  bool solve() override
+  {
+    return number_of_variables() < 200 && QL::GLPK_mixed_integer_program_traits<double>::solve();
+  }
+};
+
+// the first objectives of a search, which it ends
+struct Beginning : QL::Default_visitor
+{
+  void improved(double objective, double, double) { objectives.push_back(objective); }
+  bool go_on() const { return objectives.size() < 20; }
+  std::vector<double> objectives;
+};
+
+// Threads come and go in another order in each run.
+BOOST_AUTO_TEST_CASE(concurrent_searches_can_be_repeated)
+{
+  const QL::T_mesh t = traced(generated::noisy(generated::icosphere(3), 0.08, 5), 25, 3);
+  const auto beginning = [&] {
+    Beginning result;
+    const auto np = parameters::maximum_deviation(25)
+                        .maximum_displacement(3)
+                        .maximum_running_time(1000)
+                        .concurrent_searches(3)
+                        .visitor(std::ref(result));
+    BOOST_CHECK_THROW(QL::quantize<Small_programs_traits>(t, np), QL::Cancelled);
+    return result.objectives;
+  };
+  BOOST_TEST(beginning() == beginning(), boost::test_tools::per_element());
 }
 
 // A solver that never finds anything leaves the solution of the start.

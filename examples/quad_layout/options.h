@@ -40,6 +40,7 @@ struct Options
   double features = 0;                                         // degrees; 0: none
   int min_valence = 3;
   int max_valence = 8;
+  int threads = 1;
   bool repair = false;
   bool quiet = false;
   bool help = false;
@@ -49,7 +50,8 @@ inline const char* usage()
 {
   return "usage: quad_layout INPUT [--output DIR] [--alpha DEG] [--displacement R]\n"
          "                         [--edge-length FRACTION] [--min-valence N] [--max-valence N]\n"
-         "                         [--solver NAME] [--search-limit S] [--time-limit S]\n"
+         "                         [--solver NAME] [--threads N] [--search-limit S]\n"
+         "                         [--time-limit S]\n"
          "                         [--field FILE] [--field-method NAME] [--write-field FILE]\n"
          "                         [--parametrization FILE] [--route NAME] [--features DEG]\n"
          "                         [--repair]\n"
@@ -65,6 +67,7 @@ inline const char* usage()
          "  --min-valence N        least valence of a vertex (3)\n"
          "  --max-valence N        greatest valence of a vertex (8)\n"
          "  --solver NAME          of the integer program: glpk, cbc or highs (glpk)\n"
+         "  --threads N            how many searches of the integer program run at a time (1)\n"
          "  --search-limit S       for the search of the integer program, in seconds (30)\n"
          "  --time-limit S         for everything, in seconds; the search gets at most half of "
          "what\n"
@@ -153,6 +156,7 @@ inline Options parse(int argc, char* argv[])
       {"--min-valence", integer(result.min_valence)},
       {"--max-valence", integer(result.max_valence)},
       {"--solver", text(result.solver)},
+      {"--threads", integer(result.threads)},
       {"--search-limit", real(result.search_limit)},
       {"--time-limit", real(result.time_limit)},
       {"--field", text(result.field)},

@@ -248,6 +248,7 @@ inline auto shared_parameters(const Mesh& mesh, const Options& options, Progress
       .target_edge_length(options.edge_length * diagonal(mesh))
       .minimum_valence(options.min_valence)
       .maximum_valence(options.max_valence)
+      .concurrent_searches(options.threads)
       .layout_route(route_of(options))
       .visitor(std::ref(progress));
 }

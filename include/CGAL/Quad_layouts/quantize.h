@@ -101,6 +101,15 @@ the whole search the limit itself, which is usual above about one hundred singul
     \cgalParamDefault{`0.01`}
     \cgalParamExtra{It must be in 0 to 1.}
   \cgalParamNEnd
+  \cgalParamNBegin{concurrent_searches}
+    \cgalParamDescription{in how many neighbourhoods of a solution better ones are looked for at the
+                          same time, each in a thread of its own. The result depends on this
+                          number, but not on how many processors there are.}
+    \cgalParamType{int}
+    \cgalParamDefault{`1`}
+    \cgalParamExtra{It must be at least 1. If it is greater, several objects of the traits solve
+                    programs at the same time; the visitor is called by one thread only.}
+  \cgalParamNEnd
   \cgalParamNBegin{arc_weight_map}
     \cgalParamDescription{how dear arcs are: the term of each arc in the objective is multiplied by
                           its weight. `arc_weights()` makes such weights of weights of faces.}

@@ -50,12 +50,15 @@ public:
 
   int size(Kind kind) const { return int(m_size[kind]); }
 
-  // takes note of what the search in a neighbourhood with `variables` free ones has come to
-  void note(Kind kind, int variables, bool was_solved, bool improved)
+  // A search in a neighbourhood with `variables` free ones begins. Until it ends it counts as one
+  // that is solved, so that others can begin beside it.
+  void begin(Kind kind, int variables) { m_work[kind] += variables; }
+
+  void end(Kind kind, int variables, bool was_solved, bool improved)
   {
     constexpr double factor = 1.25;
     constexpr double work_of_success = 0.1, work_at_limit = 10; // per variable, about
-    m_work[kind] += variables * (improved ? work_of_success : was_solved ? 1 : work_at_limit);
+    m_work[kind] += variables * ((improved ? work_of_success : was_solved ? 1 : work_at_limit) - 1);
     if (!improved)
       m_size[kind] = was_solved ? (std::min)(m_size[kind] * factor, m_most)
                                 : (std::max)(m_size[kind] / factor, least);

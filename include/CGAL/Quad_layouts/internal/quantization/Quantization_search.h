@@ -16,7 +16,7 @@
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_options.h>
 #include <CGAL/Quad_layouts/internal/quantization/check_quantization.h>
 #include <CGAL/Quad_layouts/internal/quantization/lazy_index_rows.h>
-#include <CGAL/Quad_layouts/internal/quantization/solve_in_box.h>
+#include <CGAL/Quad_layouts/internal/quantization/solve_in_boxes.h>
 #include <CGAL/Quad_layouts/internal/quantization/strengthen_relaxation.h>
 #include <CGAL/Quad_layouts/internal/tracing/Squeezed_singularities.h>
 
@@ -129,20 +129,40 @@ private:
   }
 
   // solves in a box, takes over what is better, and returns the outcome
-  Box_solution search(const Box& box, const Search_effort& effort, Incumbent& incumbent,
-                      bool& improved)
+  Box_solution search(const Box& box, const Search_effort& effort, bool& improved)
   {
-    Box_solution solution = solve_in_box<Traits>(m_program, box, incumbent.values(), effort);
+    const std::vector<int> start = m_incumbent.values();
+    const Box_solution solution = solve_in_box<Traits>(m_program, box, start, effort);
     m_monitor.check("quantize");
-    improved = !solution.x.empty() && incumbent.improve_by(rounded(solution.x));
-    if (improved && &incumbent == &m_incumbent)
-      report_improvement();
+    improved = take_over(solution, start, m_incumbent);
     return solution;
   }
 
-  Box_solution search(const Box& box, const Search_effort& effort, bool& improved)
+  // Takes over a solution that began with `start`, and says if that makes the incumbent better. The
+  // incumbent may have changed since: then both changes are made, if that is possible.
+  bool take_over(const Box_solution& solution, const std::vector<int>& start, Incumbent& incumbent)
   {
-    return search(box, effort, m_incumbent, improved);
+    if (solution.x.empty())
+      return false;
+    const std::vector<int> x = rounded(solution.x);
+    const bool improved = incumbent.improve_by(with_changes(x, start, incumbent.values())) ||
+                          (incumbent.values() != start && incumbent.improve_by(x));
+    if (improved && &incumbent == &m_incumbent)
+      report_improvement();
+    return improved;
+  }
+
+  // returns `x` with all that has changed from `start` to `now`, if this leaves nothing negative
+  static std::vector<int> with_changes(const std::vector<int>& x, const std::vector<int>& start,
+                                       const std::vector<int>& now)
+  {
+    if (now == start)
+      return x;
+    std::vector<int> result = x;
+    for (std::size_t v = 0; v < x.size(); ++v)
+      result[v] += now[v] - start[v];
+    const bool is_possible = *std::min_element(result.begin(), result.end()) >= 0;
+    return is_possible ? result : x;
   }
 
   static std::vector<int> rounded(const std::vector<double>& x)
@@ -295,25 +315,28 @@ private:
     search(between, effort(nodes, small_share), improved);
   }
 
-  // says if it has brought a better solution
-  bool search_neighbourhood(Kind kind, int nodes, Incumbent& incumbent)
-  {
-    const Box box = neighbourhood(kind, m_schedule.size(kind), incumbent);
-    bool improved;
-    const Box_solution solution = search(box, effort(nodes, small_share), incumbent, improved);
-    m_schedule.note(kind, box.number_of_free_variables(), solution.status == Box_solution::OPTIMAL,
-                    improved);
-    m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
-    return improved;
-  }
-
-  // Searches in neighbourhoods of all kinds; ends when many in a row bring nothing.
+  // Searches in neighbourhoods of all kinds, some at a time; ends when many in a row bring nothing.
   void search_neighbourhoods(Incumbent& incumbent, int nodes)
   {
     const int patience = 20 + int(m_paper.singularities.size()) / 4;
-    for (int failures = 0; !is_done() && failures < patience; ++failures) {
-      if (search_neighbourhood(m_schedule.next(), nodes, incumbent))
-        failures = 0;
+    for (int failures = 0; !is_done() && failures < patience;) {
+      std::vector<Kind> kinds;
+      std::vector<Box> boxes;
+      while (int(boxes.size()) < m_options.concurrent_searches) {
+        kinds.push_back(m_schedule.next());
+        boxes.push_back(neighbourhood(kinds.back(), m_schedule.size(kinds.back()), incumbent));
+        m_schedule.begin(kinds.back(), boxes.back().number_of_free_variables());
+      }
+      const std::vector<int> start = incumbent.values();
+      const auto solutions = solve_in_boxes<Traits>(m_program, boxes, start,
+                                                    effort(nodes, small_share));
+      m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const bool improved = take_over(solutions[i], start, incumbent);
+        m_schedule.end(kinds[i], boxes[i].number_of_free_variables(),
+                       solutions[i].status == Box_solution::OPTIMAL, improved);
+        failures = improved ? 0 : failures + 1;
+      }
     }
   }
 

@@ -52,12 +52,15 @@ public:
   {
     reset();
     flatten();
+    const bool is_first_use = glp_init_env() == 0; // in this thread
     if (!run_guarded_from_glpk([](void* self) { static_cast<Glpk_search*>(self)->search(); },
                                this)) {
       outcome = Outcome::ERROR;
       has_solution = false;
       m_message = "GLPK met a fatal error";
     }
+    if (is_first_use)
+      glp_free_env(); // or it would be lost when the thread ends
     message = m_message;
   }
 
