@@ -9,7 +9,8 @@
 // seconds until the solution was within 1 % of the final one and until the end.
 //
 // usage: benchmark_quantization [--alpha LIST] [--displacement LIST] [--solver glpk|cbc|highs]
-//        [--time-limit S] [--gap FRACTION] [--most-singularities N] [--noise DEG] MESH...
+//        [--time-limit S] [--gap FRACTION] [--most-singularities N] [--threads N]
+//        [--noise DEG] MESH...
 
 #include <CGAL/Quad_layouts/GLPK_mixed_integer_program_traits.h>
 #include <CGAL/Quad_layouts/compute_cross_field.h>
@@ -49,6 +50,7 @@ struct Options
   std::string solver = "glpk";
   double seconds = 10, gap = 0.01;
   int most_singularities = 200;
+  int threads = 1;
   double noise = 0; // in degrees
   std::vector<std::string> files;
 };
@@ -88,6 +90,7 @@ QL::Quantization quantize(const QL::T_mesh& t_mesh, const Options& options, doub
                       .maximum_displacement(r)
                       .maximum_running_time(options.seconds)
                       .relative_gap(options.gap)
+                      .concurrent_searches(options.threads)
                       .visitor(history);
 #ifdef CGAL_USE_CBC
   if (options.solver == "cbc")
@@ -170,6 +173,8 @@ Options read(int argc, char* argv[])
       result.seconds = std::stod(value());
     else if (word == "--gap")
       result.gap = std::stod(value());
+    else if (word == "--threads")
+      result.threads = std::stoi(value());
     else if (word == "--noise")
       result.noise = std::stod(value());
     else if (word == "--most-singularities")

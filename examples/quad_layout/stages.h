@@ -272,17 +272,24 @@ QL::Quantization quantization_of(const QL::T_mesh& t_mesh, const Options& option
   return result;
 }
 
+template <class NamedParameters>
+auto with_time_left(const NamedParameters& np, const Stage_clock& clock)
+{
+  return np.maximum_running_time(clock.seconds_left());
+}
+
 // runs the stages from a T-mesh on
 template <class EdgeMap, class NamedParameters>
 Remeshing remesh(QL::T_mesh t_mesh, const Mesh& mesh, const Options& options,
                  const EdgeMap& features, Stage_clock& clock, const NamedParameters& np)
 {
-  const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
   Remeshing r;
   r.t_mesh = std::move(t_mesh);
   r.quantization = quantization_of(r.t_mesh, options, clock, np);
   r.layout = clock("extract", [&] { return QL::extract_quad_layout(r.t_mesh, r.quantization); });
-  r.map = clock("embed", [&] { return QL::embed_quad_layout(r.t_mesh, r.layout, limited()); });
+  r.map = clock("embed", [&] {
+    return QL::embed_quad_layout(r.t_mesh, r.layout, with_time_left(np, clock));
+  });
   r.patch = r.quads.add_property_map<Mesh::Face_index, int>("f:patch", -1).first;
   r.is_node = r.quads.add_property_map<Mesh::Vertex_index, bool>("v:is_node", false).first;
   r.is_layout_edge =
@@ -292,7 +299,7 @@ Remeshing remesh(QL::T_mesh t_mesh, const Mesh& mesh, const Options& options,
   r.number_of_bad_quads = clock("smooth", [&] {
     return QL::extract_smooth_quad_mesh(
         r.map, r.layout, mesh, r.quads,
-        limited()
+        with_time_left(np, clock)
             .face_patch_map(r.patch)
             .vertex_is_layout_node_map(r.is_node)
             .edge_is_layout_edge_map(r.is_layout_edge)
@@ -309,10 +316,10 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
   progress.quiet = options.quiet;
   const auto np = shared_parameters(mesh, options, progress);
   const auto features = sharp_edges(mesh, options.features);
-  const auto limited = [&] { return np.maximum_running_time(clock.seconds_left()); };
   const auto trace = [&](QL::Layout_route route) {
-    return clock("trace",
-                 [&] { return QL::compute_t_mesh(results.field, limited().layout_route(route)); });
+    return clock("trace", [&] {
+      return QL::compute_t_mesh(results.field, with_time_left(np.layout_route(route), clock));
+    });
   };
   const auto remesh_on = [&](QL::T_mesh t_mesh) {
     return remesh(std::move(t_mesh), mesh, options, features, clock, np);
@@ -328,7 +335,8 @@ inline void run_stages(Mesh& mesh, const Options& options, Stage_clock& clock, R
       return read_parametrization(options.parametrization, mesh, features);
     });
     keep_field(QL::compute_cross_field(map));
-    best = remesh_on(clock("trace", [&] { return QL::trace_motorcycle_graph(map, limited()); }));
+    best = remesh_on(
+        clock("trace", [&] { return QL::trace_motorcycle_graph(map, with_time_left(np, clock)); }));
   } else {
     keep_field(clock("field", [&] {
       return field_of(mesh, options, features, progress, clock.seconds_left());

@@ -129,12 +129,12 @@ private:
   }
 
   // solves in a box, takes over what is better, and returns the outcome
-  Box_solution search(const Box& box, const Search_effort& effort, bool& improved)
+  Box_solution search(const Box& box, const Search_effort& effort)
   {
     const std::vector<int> start = m_incumbent.values();
     const Box_solution solution = solve_in_box<Traits>(m_program, box, start, effort);
     m_monitor.check("quantize");
-    improved = take_over(solution, start, m_incumbent);
+    take_over(solution, start, m_incumbent);
     return solution;
   }
 
@@ -180,14 +180,13 @@ private:
       return false;
     constexpr int nodes = 1000;
     const auto all = Box::Rows::ALL;
-    bool found;
     int seen;
     do {
       seen = m_program.number_of_visible_rows(all);
-      search(Box(m_program.number_of_variables(), all), effort(nodes, 0.5, m_options.relative_gap),
-             found);
-    } while (!found && m_program.number_of_visible_rows(all) > seen && seconds_left() > 0);
-    return found;
+      search(Box(m_program.number_of_variables(), all), effort(nodes, 0.5, m_options.relative_gap));
+    } while (m_incumbent.values().empty() && m_program.number_of_visible_rows(all) > seen &&
+             seconds_left() > 0);
+    return !m_incumbent.values().empty();
   }
 
   // An objective above the penalty could fall by violating a row: then bounds must come from the
@@ -208,8 +207,7 @@ private:
     auto rows = Box::Rows::EXACT;
     while (!is_done()) {
       const int seen = m_program.number_of_visible_rows(rows);
-      bool improved;
-      const Box_solution solution = search(whole_program(rows), limits, improved);
+      const Box_solution solution = search(whole_program(rows), limits);
       if (rows == Box::Rows::EXACT)
         raise_bound(solution.bound);
       if (solution.status != Box_solution::OPTIMAL && solution.status != Box_solution::INFEASIBLE)
@@ -288,8 +286,7 @@ private:
     for (int v = 0; v < m_program.number_of_variables(); ++v)
       if (const int x = m_incumbent.values()[v]; std::abs(m_relaxation[v] - x) < tolerance)
         box.low[v] = box.high[v] = x;
-    bool improved;
-    search(box, effort(nodes, 2 * small_share), improved);
+    search(box, effort(nodes, 2 * small_share));
   }
 
   // Improves another solution, into which many exchanges have turned the best one, and searches
@@ -309,10 +306,9 @@ private:
     for (int v = 0; v < m_program.number_of_variables(); ++v)
       if (const int x = other.values()[v]; m_incumbent.values()[v] == x)
         between.low[v] = between.high[v] = x;
-    bool improved = m_incumbent.improve_by(other.values());
-    if (improved)
+    if (m_incumbent.improve_by(other.values()))
       report_improvement();
-    search(between, effort(nodes, small_share), improved);
+    search(between, effort(nodes, small_share));
   }
 
   // Searches in neighbourhoods of all kinds, some at a time; ends when many in a row bring nothing.
