@@ -65,8 +65,10 @@ inline bool is_manifold_around(const std::set<Cell>& cells, const Cell& cell)
                               cell[1] + (corner >> 1 & 1) - (k >> 1 & 1),
                               cell[2] + (corner >> 2 & 1) - (k >> 2 & 1)}) > 0;
     for (const bool side : {false, true}) {
-      const auto first = std::find(is_in.begin(), is_in.end(), side) - is_in.begin();
-      std::set<int> reached{int(first)};
+      const auto first = std::find(is_in.begin(), is_in.end(), side);
+      if (first == is_in.end())
+        continue;
+      std::set<int> reached{int(first - is_in.begin())};
       for (std::size_t size = 0; size != reached.size();) {
         size = reached.size();
         for (const int k : std::set<int>(reached))

@@ -21,8 +21,10 @@
 
 #include <boost/test/results_collector.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -184,6 +186,36 @@ BOOST_AUTO_TEST_CASE(labels_of_random_fields)
                           [&](int f) { return labels.is_valid(f); }) == 0);
     BOOST_TEST(violations(field.surface().number_of_vertices(),
                           [&](int v) { return labels.valence(v) >= 2; }) == 0);
+  }
+}
+
+// Vertices of the first map have so little room that rounding them could invert a triangle; the
+// system of equations for a seamless parametrization of the second has no solution in numbers.
+BOOST_AUTO_TEST_CASE(little_room_for_numbers)
+{
+  for (const unsigned seed : {20077, 20415}) {
+    Task task = random_tasks::random_task(seed);
+    BOOST_TEST(outcome(task) == "valid");
+  }
+}
+
+// Quads of no width may have good angles.
+BOOST_AUTO_TEST_CASE(quads_keep_their_width)
+{
+  for (const unsigned seed : {624, 1218, 1220}) {
+    Task task = random_tasks::random_task(seed);
+    task.route = QL::FIELD;
+    task.seconds = 20;
+    Results results;
+    BOOST_TEST_REQUIRE(all_stages::run(task, results));
+    double shortest = (std::numeric_limits<double>::infinity)();
+    for (const auto e : edges(results.quads)) {
+      const auto h = halfedge(e, results.quads);
+      shortest = (std::min)(shortest, std::sqrt(CGAL::squared_distance(
+                                          results.quads.point(source(h, results.quads)),
+                                          results.quads.point(target(h, results.quads)))));
+    }
+    BOOST_TEST(shortest > 1e-3 * random_tasks::mean_edge_length(results.quads));
   }
 }
 

@@ -23,7 +23,6 @@
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -57,8 +56,7 @@ inline std::vector<Cone> choose_cones(const Quad_layout& layout, const std::vect
   return cones;
 }
 
-// Rounds coordinates to what transitions keep exactly, and tells what the corners have in the
-// charts of their faces.
+// tells what coordinates the corners have in the charts of their faces
 inline Integer_grid_map to_integer_grid_map(const Curve_mesh& mesh, const Layout_squares& squares,
                                             const Map& map, std::vector<int> chord_length)
 {
@@ -71,17 +69,9 @@ inline Integer_grid_map to_integer_grid_map(const Curve_mesh& mesh, const Layout
   for (const int l : mesh.curve)
     result.halfedge_transition.push_back(squares.across(l));
   result.chord_length = std::move(chord_length);
-  double largest = 1;
   for (const Map::Face& f : map.faces)
-    for (int k = 0; k < 3; ++k)
-      largest = (std::max)(largest, map.corner(f, k).lpNorm<Eigen::Infinity>());
-  const double unit = std::exp2(48 - std::ceil(std::log2(largest)));
-  for (const Map::Face& f : map.faces)
-    for (int k = 0; k < 3; ++k) {
-      const Point2& x = map.coordinates[f.vertex[k]];
-      result.corner_coordinates.push_back(
-          f.chart[k](Point2(std::round(x.x() * unit), std::round(x.y() * unit)) / unit));
-    }
+    for (const Point2& x : map.corners(f))
+      result.corner_coordinates.push_back(x);
   return result;
 }
 
@@ -133,7 +123,9 @@ private:
     Map coarse = levels.coarse_map();
     relax(coarse, is_cone, m_monitor);
     m_monitor.report("embed", 0.7);
+    put_on_grid(coarse);
     map.coordinates = std::move(coarse.coordinates);
+    map.spacing = coarse.spacing;
     restore(map, levels, 0, is_cone, m_monitor);
     m_monitor.report("embed", 0.9);
     sweep(map, levels, is_cone, m_monitor);

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -47,6 +48,7 @@ struct Map
   std::vector<Face> faces;
   std::vector<Point2> coordinates; // per vertex, in its own chart
   std::vector<Freedom> freedom;    // per vertex
+  double spacing = 0;              // of the grid of all coordinates, a power of two, if there is one
 
   Point2 corner(const Face& f, int k) const { return f.chart[k](coordinates[f.vertex[k]]); }
 
@@ -55,6 +57,26 @@ struct Map
     return {corner(f, 0), corner(f, 1), corner(f, 2)};
   }
 };
+
+// the nearest point whose coordinates are multiples of `spacing`, or the same point if that is zero
+inline Point2 on_grid(const Point2& x, double spacing)
+{
+  return spacing > 0 ? Point2(spacing * (x / spacing).array().round()) : x;
+}
+
+// Rounds all coordinates to a grid so coarse that all charts express them exactly, though these may
+// become several times larger: they are integers of 48 bits, of 53 that a double has. Then
+// differences of corners are exact, too, and a triangle is positive if its determinant, rounded, is.
+inline void put_on_grid(Map& map)
+{
+  double largest = 1;
+  for (const Map::Face& f : map.faces)
+    for (const Point2& x : map.corners(f))
+      largest = (std::max)(largest, x.lpNorm<Eigen::Infinity>());
+  map.spacing = std::exp2(std::ceil(std::log2(largest)) - 48);
+  for (Point2& x : map.coordinates)
+    x = on_grid(x, map.spacing);
+}
 
 // lists the faces at each vertex
 inline std::vector<std::vector<int>> stars(const Map& map)

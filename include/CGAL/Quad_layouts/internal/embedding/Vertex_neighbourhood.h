@@ -28,7 +28,7 @@ public:
   // `aspect`: as for `Rest_shape`
   Vertex_neighbourhood(const Map& map, int v, const std::vector<int>& star,
                        double aspect = Rest_shape::least_aspect)
-    : m_freedom(map.freedom[v])
+    : m_freedom(map.freedom[v]), m_spacing(map.spacing)
   {
     for (const int f : star) {
       const Map::Face& face = map.faces[f];
@@ -56,7 +56,7 @@ public:
       kernel = left_part(kernel, t.a, t.b);
     if (kernel.size() < 3)
       return false;
-    center = centroid(kernel);
+    center = on_grid(centroid(kernel), m_spacing);
     return value(center) < (std::numeric_limits<double>::infinity)();
   }
 
@@ -72,7 +72,7 @@ public:
                                                     : Point2(0, -gradient.y() / hessian(1, 1));
     const double before = value(x);
     for (double length = 1; length > 1e-3; length /= 2)
-      if (const Point2 y = x + length * move; value(y) < before) {
+      if (const Point2 y = on_grid(x + length * move, m_spacing); value(y) < before) {
         x = y;
         return;
       }
@@ -100,18 +100,20 @@ private:
       if (at_q < 0)
         high = (std::min)(high, at_p / (at_p - at_q));
     }
-    center = p + (low + high) / 2 * (q - p);
+    center = on_grid(p + (low + high) / 2 * (q - p), m_spacing);
     const int locked = m_freedom == Map::ALONG_X ? 1 : 0;
     center[locked] = p[locked];
     return low < high && value(center) < (std::numeric_limits<double>::infinity)();
   }
 
-  // the distortion if the vertex is at x, infinite if a triangle is inverted
+  // the distortion if the vertex is at x, infinite if a triangle is inverted; that is exact on the
+  // grid
   double value(const Point2& x) const
   {
     double sum = 0;
     for (const Triangle& t : m_triangles)
-      sum += t.rest.area * Distortion::value(t.jacobian(x));
+      sum += side(t.a, t.b, x) > 0 ? t.rest.area * Distortion::value(t.jacobian(x))
+                                   : (std::numeric_limits<double>::infinity)();
     return sum;
   }
 
@@ -175,6 +177,7 @@ private:
 
   std::vector<Triangle> m_triangles;
   Map::Freedom m_freedom;
+  double m_spacing;
   std::vector<Point2> m_on_curve; // the neighbours on the fixed curve
 };
 

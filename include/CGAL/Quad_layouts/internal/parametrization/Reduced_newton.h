@@ -56,7 +56,7 @@ public:
   {
     m_energy.set_barrier(0, 0);
     const Eigen::VectorXd move = direction();
-    if (m_solver.info() != Eigen::Success)
+    if (m_solver.info() != Eigen::Success || !move.allFinite())
       throw Stage_failure("parametrize_seamlessly: the system of equations cannot be solved");
     m_x += move;
   }

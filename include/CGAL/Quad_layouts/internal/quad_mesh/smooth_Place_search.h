@@ -51,14 +51,14 @@ private:
   void search_around(int v, double fraction)
   {
     const Surface_walk::Place start = m_quads.place(v);
-    const double spring = 0.05 / CGAL::square(m_quads.edge_length(v));
+    const double squared_unit = CGAL::square(m_quads.edge_length(v));
     Surface_walk::Place best = start;
-    double least = energy(v, start.point, spring, (std::numeric_limits<double>::infinity)());
+    double least = energy(v, start.point, squared_unit, (std::numeric_limits<double>::infinity)());
     for_each_step(v, [&](const Vector& step) {
       const auto place = m_quads.reached(v, start.point + fraction * step);
       if (!m_quads.is_permitted(v, place))
         return;
-      const double e = energy(v, place.point, spring, least);
+      const double e = energy(v, place.point, squared_unit, least);
       if (e < least) {
         least = e;
         best = place;
@@ -96,8 +96,9 @@ private:
   // The energy of the quads around v if v were at x; something above `limit` if it exceeds that.
   // Quads count with the least that their energy can be until the nearest triangles, which take
   // time to find, must be known.
-  double energy(int v, const Vector& x, double spring, double limit)
+  double energy(int v, const Vector& x, double squared_unit, double limit)
   {
+    constexpr double stiffness = 0.05;
     const Polygons& mesh = m_quads.mesh();
     m_candidates.clear();
     double sum = 0;
@@ -106,7 +107,8 @@ private:
       const Quad quad = {x, mesh.points[mesh.source[g]], mesh.points[mesh.target(g)],
                          mesh.points[mesh.source[mesh.prev(h)]]};
       m_candidates.push_back({quad, least_shape_energy(quad)});
-      sum += spring * (quad[1] - x).squaredNorm() + m_candidates.back().least_energy;
+      sum += spring_energy((quad[1] - x).squaredNorm() / squared_unit, stiffness) +
+             m_candidates.back().least_energy;
     }
     for (const Candidate& c : m_candidates) {
       if (sum > limit)

@@ -48,11 +48,11 @@ public:
     Quad_untangler(m_quads, monitor).unfold();
     for (int i = 0; i < 2 * n && monitor.has_time("smooth_quad_mesh"); ++i) {
       monitor.tell("smooth_quad_mesh", double(i) / (4 * n));
-      sweep_unsettled([this](int v) { m_steps.relax(v); });
+      sweep_unsettled(m_quads.movable(), [this](int v) { m_steps.relax(v); });
     }
     for (int i = 0; i < n && monitor.has_time("smooth_quad_mesh"); ++i) {
       monitor.tell("smooth_quad_mesh", 0.5 + double(i) / (2 * n));
-      sweep_unsettled([this](int v) { m_steps.improve_shape(v); });
+      sweep_unsettled(m_quads.movable(), [this](int v) { m_steps.improve_shape(v); });
     }
     polish_worst(monitor);
     Quad_untangler(m_quads, monitor).repair();
@@ -62,14 +62,14 @@ public:
   std::vector<int> bad_quads() const { return m_quads.bad_quads(); }
 
 private:
-  // sweeps forwards or backwards in turn over the vertices around which something has moved lately
+  // sweeps forwards or backwards in turn over those of some vertices around which something has
+  // moved lately
   template <class Step>
-  void sweep_unsettled(const Step& step)
+  void sweep_unsettled(const std::vector<int>& vertices, const Step& step)
   {
     ++m_round;
-    const std::vector<int>& all = m_quads.movable();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const int v = m_round % 2 == 1 ? all[i] : all[all.size() - 1 - i];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const int v = m_round % 2 == 1 ? vertices[i] : vertices[vertices.size() - 1 - i];
       if (is_settled(v))
         continue;
       const Vector before = m_quads.mesh().points[v];
@@ -102,9 +102,10 @@ private:
         if (scaled_jacobian(m_quads.quad(f)) < poor)
           quads.push_back(f);
       const std::vector<int> region = m_quads.surroundings(quads, rings);
+      for (const int v : region)
+        m_last_move[v] = m_round;
       for (int i = 0; i < 20 && monitor.has_time("smooth_quad_mesh"); ++i)
-        for (const int v : region)
-          m_steps.improve_shape(v, weak_spring);
+        sweep_unsettled(region, [&](int v) { m_steps.improve_shape(v, weak_spring); });
     }
   }
 

@@ -47,9 +47,11 @@ public:
   {
   }
 
-  // turns folded quads back with surroundings that grow, and improves the shape there
+  // Turns folded quads back, and opens those that are nearly so, with surroundings that grow, and
+  // improves the shape there.
   void unfold()
   {
+    constexpr double slim = 0.05;
     const auto attempt = [this](const std::vector<int>& region) {
       unfold(region);
       for (int i = 0; i < 10; ++i)
@@ -58,7 +60,7 @@ public:
     };
     std::vector<int> suspects = all_quads();
     for (int rings = 1; rings <= 16; rings *= 2)
-      treat_groups(suspects, 0, rings, attempt);
+      treat_groups(suspects, slim, rings, attempt);
   }
 
   // Searches for better places of single vertices, from where they are and from the unfolded state,

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -102,6 +103,15 @@ inline double least_shape_energy(const Quad& q)
                     penalty_of_sine(0) + 4 * penalty_of_sine(1));
 }
 
+// The energy of an edge, by its squared length in a unit in which that is 1 on average. It resists
+// short edges, too: quads, whose energy does not depend on their aspect, would lose all width where
+// that is good for angles.
+inline double spring_energy(double squared_length, double stiffness)
+{
+  constexpr double resistance = 0.005, least = 1e-8; // so that it is finite
+  return stiffness * squared_length + resistance / (squared_length + least);
+}
+
 // The quads around a vertex as functions of its position x: all that smoothing one vertex looks at.
 // The normals of the surface are taken where the corners have been.
 class Star
@@ -134,6 +144,16 @@ public:
     for (const Edge& e : m_edges)
       sum += (e.end - position()).squaredNorm();
     return sum / number_of_edges();
+  }
+
+  double least_squared_edge_length() const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for (const Sector& s : m_sectors)
+      result = (std::min)(result, (s.quad[1] - s.quad[0]).squaredNorm());
+    for (const Edge& e : m_edges)
+      result = (std::min)(result, (e.end - position()).squaredNorm());
+    return result;
   }
 
   // Gives each edge a weight, 1 on average, that grows with its length and with the turn of the
@@ -195,15 +215,16 @@ public:
     });
   }
 
-  // the sum of the energies of the quads, and of springs along the weighted edges
-  double energy(const Vector& x, double spring) const
+  // the sum of the energies of the quads, and of springs along the weighted edges, whose squared
+  // lengths have a unit
+  double energy(const Vector& x, double stiffness, double squared_unit) const
   {
     double sum = 0;
     for (const Sector& s : m_sectors)
       sum += shape_energy(s.moved_to(x), s.mean_normal) +
-             spring * s.weight * (s.quad[1] - x).squaredNorm();
+             spring_energy((s.quad[1] - x).squaredNorm() / squared_unit, stiffness * s.weight);
     for (const Edge& e : m_edges)
-      sum += spring * e.weight * (e.end - x).squaredNorm();
+      sum += spring_energy((e.end - x).squaredNorm() / squared_unit, stiffness * e.weight);
     return sum;
   }
 

@@ -42,15 +42,15 @@ public:
   }
 
   // makes a Newton step on the energy of the star
-  void improve_shape(int v, double spring_weight = 1)
+  void improve_shape(int v, double stiffness = 1)
   {
     m_quads.gather_star(v, m_star);
     const double l2 = m_star.squared_edge_length();
     if (!(l2 > 0))
       return;
     m_star.assess();
-    const double spring = spring_weight / l2, before = m_star.energy(m_star.position(), spring);
-    const auto energy = [&](const Vector& x) { return m_star.energy(x, spring); };
+    const auto energy = [&](const Vector& x) { return m_star.energy(x, stiffness, l2); };
+    const double before = energy(m_star.position());
     try_move(v, newton_step(v, energy, std::sqrt(l2)),
              [&](const Vector& x) { return m_star.permits(x) && energy(x) < before; });
   }
@@ -105,11 +105,13 @@ private:
                                  Eigen::Matrix2d(plane.transpose() * hessian * plane), edge_length);
   }
 
-  // the same for an energy, of which samples make the model
+  // the same for an energy, of which samples make the model: so close that no edge, unless it is
+  // tiny, changes much from one to the other
   template <class Energy>
   Vector newton_step(int v, const Energy& energy, double edge_length) const
   {
-    const double h = 1e-3 * edge_length;
+    const double shortest = std::sqrt(m_star.least_squared_edge_length()),
+                 h = 1e-3 * (std::max)(shortest, 1e-4 * edge_length);
     const Surface_walk::Place& place = m_quads.place(v);
     if (place.fixed_halfedge >= 0) {
       const Vector t = m_quads.walk().tangent(place);
