@@ -464,8 +464,8 @@ BOOST_AUTO_TEST_CASE(vertices_keep_their_order_along_curves)
     BOOST_TEST(!may_go(x));
 }
 
-// Where the sharp edges of a cube are fixed, a vertex that follows a point beyond an edge stays
-// beside the edge, and the normal there is that of its side; where they are not, it goes around.
+// Where the sharp edges of a cube are fixed, a vertex that follows a point beyond an edge stays at
+// the edge, and the normal there is that of its side; where they are not, it goes around.
 BOOST_AUTO_TEST_CASE(vertices_stay_on_their_side_of_fixed_edges)
 {
   using namespace QL::internal;
@@ -483,7 +483,7 @@ BOOST_AUTO_TEST_CASE(vertices_stay_on_their_side_of_fixed_edges)
   const Surface_walk free_walk(free), walk(fixed);
   BOOST_TEST(reached(free_walk).point.z() < 0.9);
   BOOST_TEST(reached(walk).point.z() == 1);
-  BOOST_TEST((0.9 < reached(walk).point.x() && reached(walk).point.x() < 1));
+  BOOST_TEST(reached(walk).point.x() == 1);
   BOOST_TEST(walk.normal(reached(walk)).dot(up) > 0.999);
   BOOST_TEST(free_walk.normal(reached(walk)).dot(up) < 0.999);
 }

@@ -32,7 +32,8 @@ then mapped to a rectangle of integer size by Tutte's method (\cgalCite{t-hdg-63
 version of the mesh in which the curves remain. From there the map minimizes a distortion that no
 inverted triangle can reach (\cgalCite{g-fffl-21}), the curves being free to move and only the
 irregular vertices held, and the removed vertices are brought back one by one, each inside the
-kernel of its star. Only lists, integers and paths decide about the structure.
+kernel of its star. Only lists, integers and paths decide about the structure. Coordinates are
+multiples of a power of two, which all charts express exactly.
 
 The result is valid if no triangle is inverted *and* the angles around every vertex sum up to what
 the layout says; both are verified, with exact predicates for the first. Beyond that every layout

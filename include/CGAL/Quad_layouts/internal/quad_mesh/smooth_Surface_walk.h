@@ -113,16 +113,12 @@ public:
     return result;
   }
 
-  // The place to which a point that follows `target` gets from `start`. Where a fixed edge is in the
-  // way, it does not get as far as that: quads between both would have no width.
+  // the place to which a point that follows `target` gets from `start`
   Place slide(const Place& start, const Vector& target) const
   {
-    constexpr double distance_kept = 0.125; // of that which it had
     if (start.fixed_halfedge >= 0)
       return slide_on_fixed_edges(start, target);
-    Projection reached = walk(start.face, target);
-    if (is_on_fixed_edge(reached))
-      reached = walk(reached.face, reached.point + distance_kept * (start.point - reached.point));
+    const Projection reached = walk(start.face, target);
     return {reached.point, reached.face};
   }
 
@@ -330,13 +326,6 @@ private:
       h = m_surface.turn_right(h);
       visit(h);
     }
-  }
-
-  bool is_on_fixed_edge(const Projection& here) const
-  {
-    return (here.where == Projection::ON_EDGE && m_surface.is_fixed(here.halfedge)) ||
-           (here.where == Projection::AT_VERTEX &&
-            m_surface.number_of_fixed_edges(m_surface.source(here.halfedge)) > 0);
   }
 
   // moves to the best of the faces that share the edge or vertex at which `here` lies, but not
