@@ -47,8 +47,8 @@ public:
   {
   }
 
-  // Turns folded quads back, and opens those that are nearly so, with surroundings that grow, and
-  // improves the shape there.
+  // Turns folded quads back with surroundings that grow, and opens those that are nearly so with
+  // small ones, as they can be many, and improves the shape there.
   void unfold()
   {
     constexpr double slim = 0.05;
@@ -60,7 +60,7 @@ public:
     };
     std::vector<int> suspects = all_quads();
     for (int rings = 1; rings <= 16; rings *= 2)
-      treat_groups(suspects, slim, rings, attempt);
+      treat_groups(suspects, rings <= 2 ? slim : 0, rings, attempt);
   }
 
   // Searches for better places of single vertices, from where they are and from the unfolded state,
