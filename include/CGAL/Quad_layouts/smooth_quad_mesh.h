@@ -85,10 +85,11 @@ group of them with as much of its surroundings as it takes, by the regularized d
 Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021. Then vertices are moved to
 weighted means of their neighbours, where edges count more the longer they are and the more the
 surface bends along them. At last the quads' angles are optimized, by Newton steps for one vertex at
-a time, with springs along the edges, so that no quad loses its width for that. A move that would
-turn a quad inside out, or over by more than 60 degrees against the surface, is not made. Quads that are inverted all the same, or oppose the triangles nearest to their
-centres, are untangled at the end, if need be from random places (always the same); so are quads of
-a low scaled Jacobian. Vertices follow the surface continuously, from triangle to triangle, and so
+a time, with springs along the edges that resist short ones, so that quads keep some width. A move
+that would turn a quad inside out, or over by more than 60 degrees against the surface, is not made.
+Quads that are inverted all the same, or oppose the triangles nearest to their centres, are
+untangled at the end, if need be from random places (always the same); so are quads of a low scaled
+Jacobian. Vertices follow the surface continuously, from triangle to triangle, and so
 never jump between the two sides of a thin part.
 
 \tparam QuadMesh a model of `FaceListGraph`
