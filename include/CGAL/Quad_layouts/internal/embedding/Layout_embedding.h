@@ -22,7 +22,6 @@
 #include <CGAL/Quad_layouts/internal/embedding/coarse_to_fine.h>
 #include <CGAL/Quad_layouts/internal/layout/chord_divisions.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
