@@ -37,17 +37,36 @@ inline Eigen::Vector3d centre(const Quad& q)
   return (q[0] + q[1] + q[2] + q[3]) / 4;
 }
 
+// The angles at the four corners of a quad, as sine[k] = determinant[k] / sqrt(squared_sides[k]) of
+// the corner k, measured about a unit vector.
+struct Corner_angles
+{
+  Eigen::Array4d determinant;
+  Eigen::Array4d squared_sides; // the product of the squared lengths of both sides
+};
+
+inline Corner_angles corner_angles(const Quad& q, const Eigen::Vector3d& axis)
+{
+  std::array<Eigen::Vector3d, 4> side;
+  for (int k = 0; k < 4; ++k)
+    side[k] = q[(k + 1) & 3] - q[k];
+  Corner_angles result;
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector3d& before = side[(k + 3) & 3];
+    result.determinant[k] = before.cross(side[k]).dot(axis);
+    result.squared_sides[k] = before.squaredNorm() * side[k].squaredNorm();
+  }
+  return result;
+}
+
 // the least sine of the angles at the four corners, measured about the unit vector `normal`; 0 if a
 // side has no length
 inline double least_sine(const Quad& q, const Eigen::Vector3d& normal)
 {
-  std::array<Eigen::Vector3d, 4> side;
-  for (int k = 0; k < 4; ++k)
-    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
-  double least = 1;
-  for (int k = 0; k < 4; ++k)
-    least = (std::min)(least, side[(k + 3) & 3].cross(side[k]).dot(normal));
-  return least;
+  const Corner_angles angles = corner_angles(q, normal);
+  return (angles.squared_sides > 0)
+      .select(angles.determinant / angles.squared_sides.sqrt(), 0)
+      .minCoeff();
 }
 
 // the scaled Jacobian: 1 for a rectangle, not positive for a quad that is not convex

@@ -291,17 +291,22 @@ private:
 
   // Turns the folded quads of a region back together: the less the worst corner is folded, the more
   // decisive its part of the regularized distortion becomes (Garanzha et al. 2021). Where quads are
-  // tiny or slim it depends on `least_epsilon` what this leads to.
+  // tiny or slim it depends on `least_epsilon` what this leads to. Ends soon after the last of them
+  // has turned.
   void unfold(const std::vector<int>& region, double least_epsilon = least_epsilons.front())
   {
-    constexpr int number_of_sweeps = 60;
+    constexpr int most_sweeps = 60, sufficient_sweeps = 8;
     constexpr double area_weight = 1;
     const std::vector<int> quads = quads_at(region);
     double length = 0;
     for (const int v : region)
       length += m_quads.edge_length(v) / double(region.size());
-    for (int i = 0; i < number_of_sweeps && m_monitor.has_time("smooth_quad_mesh"); ++i) {
+    int sweeps_without_folds = 0;
+    for (int i = 0; i < most_sweeps && sweeps_without_folds < sufficient_sweeps &&
+                    m_monitor.has_time("smooth_quad_mesh");
+         ++i) {
       const double worst = (std::min)(least_determinant(quads) / (length * length), 0.);
+      sweeps_without_folds = worst < 0 ? 0 : sweeps_without_folds + 1;
       const Regularized_distortion measure(std::hypot(least_epsilon, 0.2 * worst), area_weight);
       for (const int v : region)
         m_steps.unfold(v, measure, length);

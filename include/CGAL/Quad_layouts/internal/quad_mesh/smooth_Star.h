@@ -65,26 +65,30 @@ inline double least_determinant(const Quad_on_surface& q)
                      determinant(q.quad, 2, axis), determinant(q.quad, 3, axis)});
 }
 
-// A decreasing, smooth function of a sine or cosine: about 1 / s^2 for positive values, finite
-// but large for negative ones. By this regularization Garanzha et al. 2021 ("Foldover-free maps
-// in 50 lines of code") untangle meshes.
-inline double penalty_of_sine(double s)
+// A decreasing, smooth function of sines or cosines, given as d / sqrt(n): about n / d^2 for
+// positive values, finite but large for negative ones. By this regularization Garanzha et al. 2021
+// ("Foldover-free maps in 50 lines of code") untangle meshes.
+template <int Size>
+Eigen::Array<double, Size, 1> penalty_of_quotient(const Eigen::Array<double, Size, 1>& d,
+                                                  const Eigen::Array<double, Size, 1>& n)
 {
   constexpr double epsilon = 0.1;
-  const double positive = (s + std::sqrt(s * s + epsilon * epsilon)) / 2;
-  return 1 / (positive * positive);
+  return 4 * n / (d + (d.square() + epsilon * epsilon * n).sqrt()).square();
+}
+
+inline double penalty_of_sine(double s)
+{
+  using Single = Eigen::Array<double, 1, 1>;
+  return penalty_of_quotient<1>(Single(s), Single(1)).value();
 }
 
 // the sum of the penalties of the sines of a quad's angles, measured about a unit vector
 inline double angle_energy(const Quad& q, const Eigen::Vector3d& axis)
 {
-  std::array<Eigen::Vector3d, 4> side;
-  for (int k = 0; k < 4; ++k)
-    side[k] = (q[(k + 1) & 3] - q[k]).normalized();
-  double energy = 0;
-  for (int k = 0; k < 4; ++k)
-    energy += penalty_of_sine(side[(k + 3) & 3].cross(side[k]).dot(axis));
-  return energy;
+  const Corner_angles angles = corner_angles(q, axis);
+  return (angles.squared_sides > 0)
+      .select(penalty_of_quotient(angles.determinant, angles.squared_sides), penalty_of_sine(0))
+      .sum();
 }
 
 // An energy of a quad that is least if it is a rectangle of any aspect whose normal is that of the
