@@ -232,6 +232,25 @@ BOOST_AUTO_TEST_CASE(no_displacement_keeps_all_singularities)
     BOOST_TEST_MESSAGE("skipped: " << path << " is not there");
 }
 
+// Units do not matter: by powers of two everything scales exactly.
+BOOST_AUTO_TEST_CASE(result_does_not_depend_on_the_scale)
+{
+  const auto quantized = [](int exponent) {
+    generated::Mesh mesh = generated::noisy(generated::icosphere(2), 0.3, 3);
+    for (const auto v : vertices(mesh))
+      mesh.point(v) = CGAL::ORIGIN + std::ldexp(1., exponent) * (mesh.point(v) - CGAL::ORIGIN);
+    return QL::quantize(traced(mesh, 15, 2), parameters::maximum_displacement(2));
+  };
+  const QL::Quantization expected = quantized(0);
+  for (const int exponent : {-30, 30}) {
+    const QL::Quantization q = quantized(exponent);
+    BOOST_TEST(q.status == expected.status);
+    BOOST_TEST(q.arc_length == expected.arc_length, boost::test_tools::per_element());
+    BOOST_TEST(q.objective == std::ldexp(expected.objective, exponent));
+    BOOST_TEST(q.bound == std::ldexp(expected.bound, exponent));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(real_surfaces)
 {
   for (const char* name :

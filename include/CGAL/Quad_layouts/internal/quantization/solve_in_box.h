@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,14 @@ struct Box_solution
 // the kinds of numbers that are looked for
 enum class Domain { INTEGERS, REALS };
 
+// A power of two near the mean cost of a variable. In this unit costs do not vanish beside the
+// tolerances of solvers, which are absolute, however small the surface is.
+inline double unit_of_costs(const Reduced_program& program)
+{
+  const double sum = std::accumulate(program.cost.begin(), program.cost.end(), 0.);
+  return sum > 0 ? std::ldexp(1., std::ilogb(sum / double(program.cost.size()))) : 1.;
+}
+
 // Hands the part of a reduced program that a box leaves open to a solver.
 template <class Traits>
 class Box_program
@@ -100,10 +109,11 @@ class Box_program
   using Constraint = typename Traits::Linear_constraint;
 
 public:
-  // Expects the best known solution if there is one, else an empty vector.
+  // Expects the best known solution if there is one, else an empty vector; and the unit of the costs
+  // that the solver sees.
   Box_program(const Reduced_program& program, const Box& box, const std::vector<int>& known,
-              Domain domain)
-    : m_program(program), m_box(box), m_known(known), m_domain(domain),
+              Domain domain, double unit)
+    : m_program(program), m_box(box), m_known(known), m_domain(domain), m_unit(unit),
       m_column(program.number_of_variables(), nullptr), m_indicator(program.indicators.size())
   {
     m_objective = m_traits.create_objective();
@@ -126,7 +136,7 @@ public:
     if (!box.covers_are_soft)
       for (const auto& row : program.strengthening)
         add_strengthening(row);
-    m_objective->set_offset(m_fixed_cost);
+    m_objective->set_offset(m_fixed_cost / m_unit);
   }
 
   // The first columns are the variables of the program, but for those that the box fixes.
@@ -146,7 +156,7 @@ public:
     if (!m_known.empty())
       m_traits.set_start_solution(known_values());
     const bool solved = m_traits.solve();
-    result.bound = m_traits.best_bound();
+    result.bound = m_unit * m_traits.best_bound();
     if (solved) {
       for (int v = 0; v < m_program.number_of_variables(); ++v)
         result.x.push_back(m_column[v] ? m_column[v]->solution_value() : m_box.low[v]);
@@ -182,7 +192,7 @@ private:
   {
     const double high = m_box.high[v] == Box::unbounded ? infinity() : m_box.high[v];
     m_column[v] = m_traits.create_variable(type(Variable::INTEGER), m_box.low[v], high);
-    m_objective->add_coefficient(m_column[v], m_program.cost[v]);
+    m_objective->add_coefficient(m_column[v], m_program.cost[v] / m_unit);
   }
 
   void add_equation(const std::vector<std::pair<int, int>>& equation)
@@ -285,7 +295,7 @@ private:
     Variable* slack = m_traits.create_variable(type(Variable::INTEGER), 0, infinity());
     m_slacks.push_back({row, slack, sign});
     row->add_coefficient(slack, sign);
-    m_objective->add_coefficient(slack, m_program.penalty);
+    m_objective->add_coefficient(slack, m_program.penalty / m_unit);
   }
 
   const Indicator& indicator(int k)
@@ -356,6 +366,7 @@ private:
   const Box& m_box;
   const std::vector<int>& m_known;
   Domain m_domain;
+  double m_unit;
   Traits m_traits;
   typename Traits::Linear_objective* m_objective;
   std::vector<Variable*> m_column; // per variable, null if fixed
@@ -372,7 +383,7 @@ Box_solution solve_in_box(const Reduced_program& program, const Box& box,
                           const std::vector<int>& known, const Search_effort& effort,
                           Domain domain = Domain::INTEGERS)
 {
-  return Box_program<Traits>(program, box, known, domain).solve(effort);
+  return Box_program<Traits>(program, box, known, domain, unit_of_costs(program)).solve(effort);
 }
 
 } // namespace internal
