@@ -202,6 +202,15 @@ BOOST_AUTO_TEST_CASE(vertices_without_lines_share_their_index)
   }
 }
 
+BOOST_AUTO_TEST_CASE(isolated_vertices_are_left_alone)
+{
+  Mesh mesh = generated::cube(3);
+  for (int i = 0; i < 5; ++i)
+    mesh.add_vertex(generated::Point(i, 0, 0));
+  const QL::T_mesh t = trace(QL::compute_cross_field(mesh), 15, 2);
+  BOOST_TEST(number_of_starts(t) == 8);
+}
+
 BOOST_AUTO_TEST_CASE(traces_stop_by_the_rule)
 {
   const QL::Cross_field field = QL::compute_cross_field(generated::slab_with_holes(2, 4));

@@ -45,7 +45,7 @@ public:
     make_valid();
     m_bears_slim_vertices = false;
     for (int v = 0; v < m_surface.number_of_vertices(); ++v)
-      if (is_bad_vertex(v))
+      if (m_surface.halfedge(v) >= 0 && is_bad_vertex(v))
         widen(v);
   }
 
