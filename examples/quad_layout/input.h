@@ -19,8 +19,10 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 inline std::string extension_of(const std::string& file)
@@ -29,6 +31,17 @@ inline std::string extension_of(const std::string& file)
   std::transform(result.begin(), result.end(), result.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   return result;
+}
+
+// lets CGAL read a file, which gets memory for as many corners as a face announces
+inline bool read_elements(const std::string& file, Polygon_soup& soup)
+{
+  try {
+    return CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons);
+  } catch (const std::length_error&) {
+  } catch (const std::bad_alloc&) {
+  }
+  throw Input_error("announces a face with more corners than there is memory for");
 }
 
 // reads what a file contains, except that equal points of an STL file are merged, which knows no
@@ -45,7 +58,7 @@ inline Polygon_soup read_soup(const std::string& file)
   if (extension == ".ply")
     File_header(file).check_ply();
   Polygon_soup soup;
-  if (!CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons))
+  if (!read_elements(file, soup))
     throw Input_error("cannot be read as a mesh");
   check_elements(soup);
   if (extension == ".stl")
