@@ -17,6 +17,8 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Union_find.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -195,6 +197,18 @@ private:
   std::vector<Side> m_sides; // sorted by edge
 };
 
+// takes away the triangles without area; returns false if some remain, or if CGAL leaves no mesh,
+// which it tells by an assertion if these are checked
+inline bool remove_degenerate_faces(Mesh& mesh)
+{
+  try {
+    return CGAL::Polygon_mesh_processing::remove_degenerate_faces(mesh) &&
+           CGAL::is_valid_polygon_mesh(mesh);
+  } catch (const CGAL::Failure_exception&) {
+    return false;
+  }
+}
+
 // makes oriented manifold triangles of polygons: merges what is twice, duplicates vertices where
 // the surface is not manifold, and takes away what has no area
 inline Mesh repaired_mesh(Polygon_soup soup)
@@ -206,7 +220,7 @@ inline Mesh repaired_mesh(Polygon_soup soup)
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   if (!PMP::triangulate_faces(mesh))
     throw Input_error("--repair cannot divide all faces into triangles");
-  if (!PMP::remove_degenerate_faces(mesh))
+  if (!remove_degenerate_faces(mesh))
     throw Input_error("--repair cannot remove all triangles without area");
   mesh.collect_garbage();
   return mesh;
