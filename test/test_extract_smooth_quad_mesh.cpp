@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(quads_around_holes)
 {
   using Holes = std::vector<std::array<int, 2>>;
   int refined = 0, the_same = 0;
-  for (const double h : {0.5, 1.})
+  for (const double h : {0.5, 1., 2.75}) // the widest reach across holes of several cells
     for (const Holes& holes :
          {Holes{{4, 4}}, Holes{{3, 3}, {4, 4}, {3, 4}}, Holes{{3, 3}, {5, 5}}}) {
       const Mesh mesh = generated::plate_with_holes(9, 9, holes, 1);

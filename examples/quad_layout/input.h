@@ -41,7 +41,7 @@ inline bool read_elements(const std::string& file, Polygon_soup& soup)
   } catch (const std::length_error&) {
   } catch (const std::bad_alloc&) {
   }
-  throw Input_error("announces a face with more corners than there is memory for");
+  throw Input_error("takes more memory than there is; a face may announce too many corners");
 }
 
 // reads what a file contains, except that equal points of an STL file are merged, which knows no

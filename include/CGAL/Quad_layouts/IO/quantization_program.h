@@ -126,7 +126,8 @@ bool write_quantization_program(std::ostream& out, const T_mesh& t_mesh,
                                                                 options.wishes);
   const Reduced_program program = reduce(t_mesh, paper, Dual_graph(t_mesh, paper.zero_arcs()));
   const Box everything(program.number_of_variables());
-  const Box_program<Unsolved_program> whole(program, everything, {}, Domain::INTEGERS, 1.);
+  constexpr double true_costs = 1; // so that objectives can be compared
+  const Box_program<Unsolved_program> whole(program, everything, {}, Domain::INTEGERS, true_costs);
   Program_search plain;
   copy_program(whole.program(), plain);
   write_mps(out, plain);

@@ -64,9 +64,10 @@ inline Corner_angles corner_angles(const Quad& q, const Eigen::Vector3d& axis)
 inline double least_sine(const Quad& q, const Eigen::Vector3d& normal)
 {
   const Corner_angles angles = corner_angles(q, normal);
-  return (angles.squared_sides > 0)
-      .select(angles.determinant / angles.squared_sides.sqrt(), 0)
-      .minCoeff();
+  const double least = (angles.squared_sides > 0)
+                           .select(angles.determinant / angles.squared_sides.sqrt(), 0)
+                           .minCoeff();
+  return (std::min)(least, 1.); // rounding may exceed it
 }
 
 // the scaled Jacobian: 1 for a rectangle, not positive for a quad that is not convex

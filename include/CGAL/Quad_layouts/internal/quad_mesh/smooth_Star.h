@@ -60,35 +60,29 @@ inline double squared_norm(const Quad& q, int k)
 // the least determinant of the corners, which is an area
 inline double least_determinant(const Quad_on_surface& q)
 {
-  const Eigen::Vector3d axis = mean_normal(q);
-  return (std::min)({determinant(q.quad, 0, axis), determinant(q.quad, 1, axis),
-                     determinant(q.quad, 2, axis), determinant(q.quad, 3, axis)});
+  return corner_angles(q.quad, mean_normal(q)).determinant.minCoeff();
 }
 
-// A decreasing, smooth function of sines or cosines, given as d / sqrt(n): about n / d^2 for
-// positive values, finite but large for negative ones. By this regularization Garanzha et al. 2021
+// A decreasing, smooth function of a sine or cosine, given as d / sqrt(n): about n / d^2 for positive
+// values, finite but large for negative ones. By this regularization Garanzha et al. 2021
 // ("Foldover-free maps in 50 lines of code") untangle meshes.
-template <int Size>
-Eigen::Array<double, Size, 1> penalty_of_quotient(const Eigen::Array<double, Size, 1>& d,
-                                                  const Eigen::Array<double, Size, 1>& n)
+inline double penalty_of_sine(double d, double n = 1)
 {
   constexpr double epsilon = 0.1;
-  return 4 * n / (d + (d.square() + epsilon * epsilon * n).sqrt()).square();
-}
-
-inline double penalty_of_sine(double s)
-{
-  using Single = Eigen::Array<double, 1, 1>;
-  return penalty_of_quotient<1>(Single(s), Single(1)).value();
+  const double twice_positive = d + std::sqrt(d * d + epsilon * epsilon * n);
+  return 4 * n / (twice_positive * twice_positive);
 }
 
 // the sum of the penalties of the sines of a quad's angles, measured about a unit vector
 inline double angle_energy(const Quad& q, const Eigen::Vector3d& axis)
 {
   const Corner_angles angles = corner_angles(q, axis);
-  return (angles.squared_sides > 0)
-      .select(penalty_of_quotient(angles.determinant, angles.squared_sides), penalty_of_sine(0))
-      .sum();
+  double energy = 0;
+  for (int k = 0; k < 4; ++k)
+    energy += angles.squared_sides[k] > 0
+                  ? penalty_of_sine(angles.determinant[k], angles.squared_sides[k])
+                  : penalty_of_sine(0);
+  return energy;
 }
 
 // An energy of a quad that is least if it is a rectangle of any aspect whose normal is that of the
