@@ -102,6 +102,18 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n' >letters.off
 expect 1 "cannot be read" letters.off
 printf 'ply\nformat ascii 1.0\nproperty float x\nelement vertex 0\nend_header\n' >order.ply
 expect 1 "property before the first element" order.ply
+ply_header() { # its properties of vertices
+  printf 'ply\nformat ascii 1.0\nelement vertex 3\n'
+  printf 'property %s\n' "$@"
+  printf 'element face 1\nproperty list uchar int vertex_indices\nend_header\n'
+}
+{ ply_header 'int32 x' 'float y' 'float z'; printf '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'; } >integers.ply
+expect 1 'property "x" of element "vertex" is of type "int32"' integers.ply
+{ ply_header 'float x' 'float y'; printf '0 0\n1 0\n0 1\n3 0 1 2\n'; } >plane.ply
+expect 1 'element "vertex" has no property "z"' plane.ply
+{ ply_header 'float x' 'float y' 'float z' 'uchar red' 'float green' 'uchar g' 'uchar blue'
+  printf '0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n'; } >colours.ply
+expect 1 "colours of element \"vertex\" are of different types" colours.ply
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 2 3\n3 1 2 3\n' >turned.off
 expect 1 "faces 0 and 2 .*vertex 0 to vertex 2.*orient_polygon_soup" turned.off
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 0 2\n' >twice.off

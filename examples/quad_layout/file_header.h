@@ -13,11 +13,14 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
 
 // Looks at the header of a file before CGAL's readers do, which believe it: they get memory for as
-// many elements as it announces, and a PLY property belongs to the element before it.
+// many elements as it announces, a PLY property belongs to the element before it, and has the type
+// that they want it to have.
 class File_header
 {
 public:
@@ -42,23 +45,77 @@ public:
 
   void check_ply()
   {
-    bool has_element = false;
+    std::string element;
+    Ply_types types; // of the properties of this element
     for (std::string line; std::getline(m_in, line);) {
       std::istringstream words(line);
       std::string keyword, name, count;
-      words >> keyword >> name >> count;
-      if (keyword == "end_header")
-        return;
+      words >> keyword;
       if (keyword == "element") {
-        has_element = true;
+        check_ply_types(element, types);
+        words >> name >> count;
         check_count(name, count);
-      } else if (keyword == "property" && !has_element)
-        throw Input_error("the header has a property before the first element");
+        element = name;
+        types.clear();
+      } else if (keyword == "property") {
+        if (element.empty())
+          throw Input_error("the header has a property before the first element");
+        add_ply_type(words, types);
+      } else if (keyword == "end_header")
+        return check_ply_types(element, types);
     }
     throw Input_error("has no end_header");
   }
 
 private:
+  using Ply_types = std::map<std::string, std::string>; // by the names of properties
+
+  // reads what follows "property": TYPE NAME, or list TYPE TYPE NAME
+  static void add_ply_type(std::istream& words, Ply_types& types)
+  {
+    std::string type, name;
+    words >> type >> name;
+    if (type == "list")
+      words >> name >> name;
+    types.emplace(name, type);
+  }
+
+  static void check_ply_types(const std::string& element, const Ply_types& types)
+  {
+    if (element == "vertex" || element == "vertices")
+      for (const char* name : {"x", "y", "z"})
+        check_ply_type(element, name, types, {"float", "float32", "double", "float64"});
+    if (element == "halfedge")
+      for (const char* name : {"source", "target"})
+        if (types.count(name) > 0)
+          check_ply_type(element, name, types, {"uint", "uint32"});
+    std::set<std::string> colours;
+    for (const char* name : {"red", "green", "blue", "r", "g", "b"})
+      if (const auto found = types.find(name); found != types.end())
+        colours.insert(found->second);
+    if (colours.size() > 1)
+      throw Input_error("the colours of element \"" + element + "\" are of different types");
+  }
+
+  static void check_ply_type(const std::string& element, const std::string& name,
+                             const Ply_types& types, const std::set<std::string>& known)
+  {
+    const auto found = types.find(name);
+    if (found == types.end())
+      throw Input_error("element \"" + element + "\" has no property \"" + name + "\"");
+    if (known.count(found->second) == 0)
+      throw Input_error("property \"" + name + "\" of element \"" + element + "\" is of type \"" +
+                        found->second + "\", supported are " + list_of(known));
+  }
+
+  static std::string list_of(const std::set<std::string>& words)
+  {
+    std::string result;
+    for (const std::string& w : words)
+      result += (result.empty() ? "" : " ") + w;
+    return result;
+  }
+
   // reads the next word that is not in a comment
   void next_word(std::string& word)
   {
