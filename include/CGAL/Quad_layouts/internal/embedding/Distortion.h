@@ -7,6 +7,8 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_DISTORTION_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_EMBEDDING_DISTORTION_H
 
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
@@ -60,6 +62,23 @@ struct Distortion
     if (solver.eigenvalues()[0] < 0)
       hessian = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() *
                 solver.eigenvectors().transpose();
+  }
+};
+
+// The square of the distortion. In a sum over triangles that are weighted by area, narrow ones
+// count so little that their distortion may grow beyond all bounds; not that of the square.
+struct Squared_distortion
+{
+  static double value(const Eigen::Matrix2d& j) { return CGAL::square(Distortion::value(j)); }
+
+  // computes gradient and Hessian by the entries of J in column order
+  static void derivatives(const Eigen::Matrix2d& j, Distortion::Vector4& gradient,
+                          Distortion::Matrix4& hessian)
+  {
+    const double value = Distortion::value(j);
+    Distortion::derivatives(j, gradient, hessian);
+    hessian = 2 * (value * hessian + gradient * gradient.transpose()).eval();
+    gradient *= 2 * value;
   }
 };
 

@@ -117,17 +117,13 @@ private:
     Square_map(coarsest, embedded.vertices, m_layout, m_squares);
     map.coordinates = std::move(coarsest.coordinates);
     constexpr double wide = 0.5; // what is narrow on the surface may first be wide in the map
-    restore(map, levels, removals_of_coarse_mesh, is_cone, m_monitor, wide);
+    restore<Distortion>(map, levels, removals_of_coarse_mesh, is_cone, m_monitor, wide);
     m_monitor.report("embed", 0.5);
-    Map coarse = levels.coarse_map();
-    relax(coarse, is_cone, m_monitor);
+    relax_coarse_map(map, levels, is_cone, m_monitor);
     m_monitor.report("embed", 0.7);
-    put_on_grid(coarse);
-    map.coordinates = std::move(coarse.coordinates);
-    map.spacing = coarse.spacing;
-    restore(map, levels, 0, is_cone, m_monitor);
+    restore<Squared_distortion>(map, levels, 0, is_cone, m_monitor);
     m_monitor.report("embed", 0.9);
-    sweep(map, levels, is_cone, m_monitor);
+    sweep<Squared_distortion>(map, levels, is_cone, m_monitor);
     return map;
   }
 

@@ -25,7 +25,8 @@ namespace Quad_layouts {
 namespace internal {
 
 // Minimizes the distortion of a map without inverted triangles, over the coordinates of the
-// vertices that are free.
+// vertices that are free. `Measure` is `Distortion`, or a function of it.
+template <class Measure>
 class Newton
 {
 public:
@@ -69,7 +70,7 @@ public:
   {
     double sum = 0;
     for (std::size_t f = 0; f < m_map.faces.size(); ++f)
-      sum += m_rest[f].area * Distortion::value(jacobian(f));
+      sum += m_rest[f].area * Measure::value(jacobian(f));
     return sum;
   }
 
@@ -137,7 +138,7 @@ private:
     const Map::Face& face = m_map.faces[f];
     Eigen::Vector4d gradient;
     Eigen::Matrix4d hessian;
-    Distortion::derivatives(jacobian(f), gradient, hessian);
+    Measure::derivatives(jacobian(f), gradient, hessian);
     Distortion::make_positive(hessian);
     const Eigen::Matrix2d& b = m_rest[f].inverse;
     const std::array<Point2, 3> weight{Point2(-b.colwise().sum().transpose()),

@@ -21,7 +21,9 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// One vertex of a map and the triangles around it, all in the chart of the vertex.
+// One vertex of a map and the triangles around it, all in the chart of the vertex. `Measure` is as
+// for `Newton`.
+template <class Measure>
 class Vertex_neighbourhood
 {
 public:
@@ -60,7 +62,7 @@ public:
     return value(center) < (std::numeric_limits<double>::infinity)();
   }
 
-  // moves `x` downhill by one Newton step of the distortion, which is convex in a single vertex
+  // moves `x` downhill by one Newton step of the measure, which is convex in a single vertex
   void improve(Point2& x) const
   {
     Point2 gradient(0, 0);
@@ -106,13 +108,13 @@ private:
     return low < high && value(center) < (std::numeric_limits<double>::infinity)();
   }
 
-  // the distortion if the vertex is at x, infinite if a triangle is inverted; that is exact on the
+  // the measure if the vertex is at x, infinite if a triangle is inverted; that is exact on the
   // grid
   double value(const Point2& x) const
   {
     double sum = 0;
     for (const Triangle& t : m_triangles)
-      sum += side(t.a, t.b, x) > 0 ? t.rest.area * Distortion::value(t.jacobian(x))
+      sum += side(t.a, t.b, x) > 0 ? t.rest.area * Measure::value(t.jacobian(x))
                                    : (std::numeric_limits<double>::infinity)();
     return sum;
   }
@@ -122,7 +124,7 @@ private:
   {
     Eigen::Vector4d g;
     Eigen::Matrix4d h;
-    Distortion::derivatives(t.jacobian(x), g, h);
+    Measure::derivatives(t.jacobian(x), g, h);
     Eigen::Matrix<double, 4, 2> by_vertex;
     const Eigen::RowVector2d weight = -t.rest.inverse.colwise().sum();
     by_vertex << weight.x() * Eigen::Matrix2d::Identity(), weight.y() * Eigen::Matrix2d::Identity();

@@ -23,42 +23,37 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Improves a map without inverted triangles, starting from one that may be far from the best.
-//
-// At first all triangles are measured as if they were of the same size and not narrow, so that none
-// dominates; then more and more as they are. Large maps get fewer steps, as each takes long.
-inline void relax(Map& map, const std::vector<char>& is_fixed, const Monitor& monitor)
+// How triangles are measured while a map is improved, and for how long.
+struct Relaxation_stage
 {
-  struct Stage
-  {
-    double evenness, aspect;
-    int max_steps;
-  };
-  constexpr Stage stages[] = {{1, 0.5, 20},
-                              {0.75, 0.1, 20},
-                              {0.5, 0.02, 20},
-                              {0.25, 0.005, 20},
-                              {0, Rest_shape::least_aspect, 50}};
+  double evenness, aspect; // as for `Newton::even_out()` and `Rest_shape`
+  int max_steps;
+};
+
+// Minimizes a measure of the distortion. Large maps get fewer steps, as each takes long.
+template <class Measure>
+void relax(Map& map, const std::vector<char>& is_fixed, const Relaxation_stage& stage,
+           const Monitor& monitor)
+{
   constexpr double large = 1e5;
   const double effort = (std::min)(1., large / double(map.faces.size()));
-  for (const Stage& stage : stages) {
-    const int max_steps = int(std::ceil(effort * stage.max_steps));
-    Newton newton(map, is_fixed, stage.aspect);
-    newton.even_out(stage.evenness);
-    double value = newton.value(), decrease = 1;
-    for (int i = 0; i < max_steps && decrease > 1e-4; ++i) {
-      monitor.check("embed");
-      const double before = std::exchange(value, newton.step(value));
-      decrease = (before - value) / before;
-    }
+  const int max_steps = int(std::ceil(effort * stage.max_steps));
+  Newton<Measure> newton(map, is_fixed, stage.aspect);
+  newton.even_out(stage.evenness);
+  double value = newton.value(), decrease = 1;
+  for (int i = 0; i < max_steps && decrease > 1e-4; ++i) {
+    monitor.check("embed");
+    const double before = std::exchange(value, newton.step(value));
+    decrease = (before - value) / before;
   }
 }
 
 // `aspect`: as for `Rest_shape`
-inline void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps,
-                           double aspect = Rest_shape::least_aspect)
+template <class Measure>
+void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps,
+                    double aspect = Rest_shape::least_aspect)
 {
-  const Vertex_neighbourhood neighbourhood(map, v, levels.star(v), aspect);
+  const Vertex_neighbourhood<Measure> neighbourhood(map, v, levels.star(v), aspect);
   for (int i = 0; i < steps; ++i)
     neighbourhood.improve(map.coordinates[v]);
 }
@@ -68,34 +63,65 @@ inline void improve_vertex(Map& map, const Vertex_removal& levels, int v, int st
 //
 // Such a place exists: the vertex into which the removed one was collapsed sees the whole polygon.
 // Throws if rounding hides it.
-inline void restore(Map& map, Vertex_removal& levels, int left, const std::vector<char>& is_fixed,
-                    const Monitor& monitor, double aspect = Rest_shape::least_aspect)
+template <class Measure>
+void restore(Map& map, Vertex_removal& levels, int left, const std::vector<char>& is_fixed,
+             const Monitor& monitor, double aspect = Rest_shape::least_aspect)
 {
   for (int i = 0; levels.number_of_removals() > left; ++i) {
     if (i % 1024 == 0)
       monitor.check("embed");
     const int v = levels.restore();
-    if (!Vertex_neighbourhood(map, v, levels.star(v), aspect).find_center(map.coordinates[v]))
+    if (!Vertex_neighbourhood<Measure>(map, v, levels.star(v), aspect)
+             .find_center(map.coordinates[v]))
       throw Stage_failure("embed: there is no room in the map for vertex " + std::to_string(v));
-    improve_vertex(map, levels, v, 4, aspect);
+    improve_vertex<Measure>(map, levels, v, 4, aspect);
     levels.for_each_neighbour(v, [&](int w) {
       if (!is_fixed[w])
-        improve_vertex(map, levels, w, 1, aspect);
+        improve_vertex<Measure>(map, levels, w, 1, aspect);
     });
   }
 }
 
-// improves the places of all vertices in turn, several times
-inline void sweep(Map& map, const Vertex_removal& levels, const std::vector<char>& is_fixed,
-                  const Monitor& monitor)
+// improves the places of all vertices that there are in turn, several times
+template <class Measure>
+void sweep(Map& map, const Vertex_removal& levels, const std::vector<char>& is_fixed,
+           const Monitor& monitor)
 {
   constexpr int sweeps = 4;
   for (int i = 0; i < sweeps; ++i) {
     monitor.check("embed");
     for (int v = 0; v < int(map.points.size()); ++v)
-      if (!is_fixed[v])
-        improve_vertex(map, levels, v, 1);
+      if (!is_fixed[v] && !levels.star(v).empty())
+        improve_vertex<Measure>(map, levels, v, 1);
   }
+}
+
+// Improves the map that is left of a map when vertices are removed. It has no inverted triangles,
+// but may be far from the best.
+//
+// At first all triangles are measured as if they were of the same size and not narrow, so that none
+// dominates; then more and more as they are. At last squares count: vertices move one by one before
+// all do together, where single triangles would leave no step any length.
+inline void relax_coarse_map(Map& map, const Vertex_removal& levels,
+                             const std::vector<char>& is_fixed, const Monitor& monitor)
+{
+  constexpr double aspect = Rest_shape::least_aspect;
+  const auto relax_all = [&](const auto& change) {
+    Map coarse = levels.coarse_map();
+    change(coarse);
+    map.coordinates = std::move(coarse.coordinates);
+    map.spacing = coarse.spacing;
+  };
+  relax_all([&](Map& coarse) {
+    for (const Relaxation_stage& stage : {Relaxation_stage{1, 0.5, 20}, {0.75, 0.1, 20},
+                                          {0.5, 0.02, 20}, {0.25, 0.005, 20}, {0, aspect, 20}})
+      relax<Distortion>(coarse, is_fixed, stage, monitor);
+  });
+  sweep<Squared_distortion>(map, levels, is_fixed, monitor);
+  relax_all([&](Map& coarse) {
+    relax<Squared_distortion>(coarse, is_fixed, {0, aspect, 50}, monitor);
+    put_on_grid(coarse);
+  });
 }
 
 } // namespace internal
