@@ -81,6 +81,23 @@ BOOST_AUTO_TEST_CASE(quads_around_holes)
   BOOST_TEST(the_same > 0);
 }
 
+// The edges of a cube have three chords, of which each runs through four of its six faces.
+BOOST_AUTO_TEST_CASE(chords_are_divided_as_far_as_there_is_room)
+{
+  const QL::Quad_layout layout = embedded_layout(generated::cube(4), 1).layout;
+  BOOST_TEST_REQUIRE(layout.number_of_chords == 3);
+  const auto divided = [&](double most_vertices) { // from 98 vertices
+    std::vector<int> divisions(3, 4);
+    const bool any = QL::internal::divide_chords({0, 1, 2}, layout, most_vertices, divisions);
+    BOOST_TEST(any == (divisions != std::vector<int>(3, 4)));
+    return divisions;
+  };
+  BOOST_TEST(divided(386) == (std::vector<int>{8, 8, 8}), boost::test_tools::per_element());
+  BOOST_TEST(divided(170) == (std::vector<int>{8, 4, 4}), boost::test_tools::per_element());
+  BOOST_TEST(divided(140) == (std::vector<int>{6, 4, 4}), boost::test_tools::per_element());
+  BOOST_TEST(divided(113) == (std::vector<int>{4, 4, 4}), boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(what_is_refused_changes_nothing)
 {
   const Mesh mesh = generated::cube(4);

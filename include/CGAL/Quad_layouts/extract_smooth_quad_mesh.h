@@ -46,9 +46,9 @@ its quads get closer to rectangles.
 
 This is `extract_quad_mesh()` and `smooth_quad_mesh()`, and more than both: where quads are inverted
 or oppose the surface all the same, because they are too large for what lies between their corners,
-like a small hole, the edges of their chords are divided into twice as many parts, and all begins
-again; so does the progress that a visitor is told. Each time the lines of the map are followed more
-closely. The mesh with the fewest such quads is taken.
+like a small hole, the edges of their chords are divided into more parts, up to twice as many, and
+all begins again; so does the progress that a visitor is told. Each time the lines of the map are
+followed more closely. The mesh with the fewest such quads is taken.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam QuadMesh a model of `MutableFaceGraph`

@@ -22,6 +22,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -82,8 +83,36 @@ inline Smooth_grid smooth_grid(const Integer_grid_map& map, const Quad_layout& l
   return {std::move(divided), std::move(polygons.points), bad_quads.size(), std::move(bad_chords)};
 }
 
-// Divides the edges of bad chords into twice as many parts, again and again as long as there are
-// any and the grid does not get much finer. Returns the grid with the fewest bad quads.
+// Divides the edges of some chords into twice as many parts, or less where that would lead to more
+// than `most_vertices`, beginning with those for which it is cheapest. Tells if it divided any.
+inline bool divide_chords(const std::set<int>& chords, const Quad_layout& layout,
+                          double most_vertices, std::vector<int>& divisions)
+{
+  const auto number_of_vertices = [&] {
+    return Divided_layout(layout, divisions).number_of_vertices();
+  };
+  std::vector<std::pair<int, int>> by_cost;
+  for (const int c : chords) {
+    divisions[c] *= 2;
+    by_cost.emplace_back(number_of_vertices(), c);
+    divisions[c] /= 2;
+  }
+  std::sort(by_cost.begin(), by_cost.end());
+  bool any = false;
+  for (const auto& [cost, c] : by_cost) {
+    const int parts = divisions[c];
+    for (int more = parts; more > 0 && divisions[c] == parts; more /= 2) {
+      divisions[c] = parts + more;
+      if (number_of_vertices() > most_vertices)
+        divisions[c] = parts;
+    }
+    any = any || divisions[c] > parts;
+  }
+  return any;
+}
+
+// Divides the edges of bad chords into more parts, again and again as long as there are any and the
+// grid does not get much finer. Returns the grid with the fewest bad quads.
 inline Smooth_grid best_smooth_grid(const Integer_grid_map& map, const Quad_layout& layout,
                                     std::vector<int> divisions, const Triangle_surface& surface,
                                     int number_of_iterations, const Monitor& monitor)
@@ -98,10 +127,8 @@ inline Smooth_grid best_smooth_grid(const Integer_grid_map& map, const Quad_layo
   const double most_vertices = greatest_growth * double(best.points.size());
   std::set<int> bad_chords = best.bad_chords;
   for (int i = 0; i < number_of_refinements && !bad_chords.empty(); ++i) {
-    for (const int c : bad_chords)
-      divisions[c] *= 2;
-    if (Divided_layout(layout, divisions).number_of_vertices() > most_vertices ||
-        !monitor.has_time("smooth_quad_mesh"))
+    if (!monitor.has_time("smooth_quad_mesh") ||
+        !divide_chords(bad_chords, layout, most_vertices, divisions))
       break;
     Smooth_grid finer = smoothed();
     bad_chords = finer.bad_chords;
