@@ -63,15 +63,20 @@ public:
       treat_groups(suspects, rings <= 2 ? slim : 0, rings, attempt);
   }
 
-  // Searches for better places of single vertices, from where they are and from the unfolded state,
-  // then of sides of quads, and from random places. Improves poor quads, too. Begins anew, which is
-  // with better surroundings, as long as this makes fewer quads bad.
+  // Searches for better places of single vertices at poor quads, then for bad ones in more and more
+  // ways. Begins anew with these, which is with better surroundings, as long as this makes fewer
+  // quads bad.
   void repair()
   {
+    constexpr double poor = 0.5;
+    std::vector<int> suspects = all_quads();
+    for (int rings = 1; rings <= 2; ++rings)
+      treat_groups(suspects, poor, rings,
+                   [this](const std::vector<int>& region) { m_search.improve(region); });
     std::size_t before, after = m_quads.bad_quads().size();
     do {
       before = after;
-      repair_once();
+      repair_bad_quads();
       after = m_quads.bad_quads().size();
     } while (after > 0 && after < before);
   }
@@ -80,9 +85,10 @@ private:
   // the least that determinants, in units of the area of a quad, are regularized with
   static constexpr std::array<double, 3> least_epsilons = {1e-5, 1e-4, 1e-3};
 
-  void repair_once()
+  // Searches for better places of single vertices, from where they are and from the unfolded state,
+  // then from random places, and of sides of quads.
+  void repair_bad_quads()
   {
-    constexpr double poor = 0.5;
     const auto search_here = [this](const std::vector<int>& region) { m_search.improve(region); };
     const auto search_anew = [this](double least_epsilon) {
       return [this, least_epsilon](const std::vector<int>& region) {
@@ -90,9 +96,7 @@ private:
         m_search.improve(region);
       };
     };
-    std::vector<int> suspects = all_quads();
-    for (int rings = 1; rings <= 2; ++rings)
-      treat_groups(suspects, poor, rings, search_here);
+    std::vector<int> suspects = m_quads.bad_quads();
     for (int rings = 1; rings <= 8; rings *= 2) {
       treat_groups(suspects, 0, rings, search_here);
       for (const double least_epsilon : least_epsilons)
