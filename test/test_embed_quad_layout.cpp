@@ -14,8 +14,11 @@
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_embed_quad_layout)
@@ -105,6 +108,58 @@ void check_map(const Embedded& e)
   BOOST_TEST(wrong == 0);
 }
 
+// fixes up to `number` edges of a mesh inside of it, between which there are others
+auto scattered_edges(generated::Mesh& mesh, int number, unsigned seed)
+{
+  using Mesh = generated::Mesh;
+  const auto result = mesh.add_property_map<Mesh::Edge_index, bool>("e:fixed", false).first;
+  std::minstd_rand random(seed);
+  std::vector<char> is_taken(mesh.number_of_vertices(), 0); // or has a neighbour that is
+  for (const auto v : mesh.vertices())
+    is_taken[v] = mesh.is_border(v);
+  for (int i = 0; i < number; ++i) {
+    const auto h = mesh.halfedge(
+        Mesh::Edge_index(Mesh::size_type(random()) % mesh.number_of_edges()));
+    if (is_taken[mesh.source(h)] || is_taken[mesh.target(h)])
+      continue;
+    result[mesh.edge(h)] = true;
+    for (const auto end : {h, mesh.opposite(h)})
+      for (const auto v : vertices_around_target(end, mesh))
+        is_taken[v] = 1;
+  }
+  return result;
+}
+
+// the angles on the surface between the lines of the map that begin at a vertex, in radians
+std::vector<double> angles_between_lines(const Integer_grid_map& map, int v)
+{
+  using Surface = Integer_grid_map::Surface;
+  const Surface& surface = map.surface();
+  const auto angle_between = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  };
+  std::vector<double> lines;
+  double sum = 0;
+  surface.for_each_outgoing(v, [&](int h) {
+    const int last = Surface::prev(h);
+    const Eigen::Vector3d p = surface.vector(h), q = -surface.vector(last);
+    Eigen::Matrix2d sides;
+    sides << map.coordinates(Surface::next(h)) - map.coordinates(h),
+        map.coordinates(last) - map.coordinates(h);
+    for (const int sign : {1, -1})
+      for (const Eigen::Vector2d& axis : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)})
+        if (const Eigen::Vector2d w = sides.inverse() * (sign * axis); w[0] > 0 && w[1] >= 0)
+          lines.push_back(sum + angle_between(p, w[0] * p + w[1] * q));
+    sum += angle_between(p, q);
+  });
+  std::sort(lines.begin(), lines.end());
+  std::vector<double> result;
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    result.push_back(lines[i] - lines[i - 1]);
+  result.push_back(lines.front() + sum - lines.back());
+  return result;
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(cube_has_its_corners)
@@ -132,6 +187,34 @@ BOOST_AUTO_TEST_CASE(merged_singularities_are_gathered)
       merged += c.nodes.size() > 1;
   }
   BOOST_TEST(merged > 0);
+}
+
+// Lines that go around the end of a feature must not do so in the narrow triangles that curves of the
+// layout have cut: edges of quads, which are straight, would cross the feature.
+BOOST_AUTO_TEST_CASE(lines_have_room_at_ends_of_features)
+{
+  constexpr double sufficient = 10 * CGAL_PI / 180;
+  int number_of_ends = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    generated::Mesh mesh = generated::noisy(generated::plate_with_holes(12, 12, {}, 1), 0.2, seed);
+    const auto is_fixed = scattered_edges(mesh, 40, seed);
+    const auto np = QL::parameters::target_edge_length(1.).maximum_deviation(25.);
+    const QL::Cross_field field = QL::compute_cross_field(mesh,
+                                                          np.edge_is_constrained_map(is_fixed));
+    const QL::T_mesh t_mesh = QL::trace_motorcycle_graph(field, np);
+    const Quad_layout layout = QL::extract_quad_layout(t_mesh, QL::quantize(t_mesh, np));
+    const Integer_grid_map map = QL::embed_quad_layout(t_mesh, layout, np);
+    for (int v = 0; v < map.surface().number_of_vertices(); ++v) {
+      int degree = 0;
+      map.surface().for_each_outgoing(v, [&](int h) { degree += map.surface().is_fixed(h); });
+      if (degree != 1 || map.surface().is_on_border(v))
+        continue;
+      ++number_of_ends;
+      const std::vector<double> angles = angles_between_lines(map, v);
+      BOOST_TEST(*std::min_element(angles.begin(), angles.end()) > sufficient);
+    }
+  }
+  BOOST_TEST(number_of_ends > 50);
 }
 
 BOOST_AUTO_TEST_CASE(components_have_maps_of_their_own)
