@@ -62,8 +62,9 @@ public:
     return value(center) < (std::numeric_limits<double>::infinity)();
   }
 
-  // moves `x` downhill by one Newton step of the measure, which is convex in a single vertex
-  void improve(Point2& x) const
+  // Moves `x` downhill by one Newton step of the measure, which is convex in a single vertex. Returns
+  // to which part of it the measure fell.
+  double improve(Point2& x) const
   {
     Point2 gradient(0, 0);
     Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
@@ -76,8 +77,9 @@ public:
     for (double length = 1; length > 1e-3; length /= 2)
       if (const Point2 y = on_grid(x + length * move, m_spacing); value(y) < before) {
         x = y;
-        return;
+        return value(y) / before;
       }
+    return 1;
   }
 
 private:

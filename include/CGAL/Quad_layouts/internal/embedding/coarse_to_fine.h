@@ -48,14 +48,19 @@ void relax(Map& map, const std::vector<char>& is_fixed, const Relaxation_stage& 
   }
 }
 
+// Moves a vertex by some Newton steps, and on as long as they help much: from near the border of the
+// polygon around it, where the measure is large, each leads away by only a part of the distance.
 // `aspect`: as for `Rest_shape`
 template <class Measure>
 void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps,
                     double aspect = Rest_shape::least_aspect)
 {
   const Vertex_neighbourhood<Measure> neighbourhood(map, v, levels.star(v), aspect);
-  for (int i = 0; i < steps; ++i)
-    neighbourhood.improve(map.coordinates[v]);
+  constexpr double much = 0.75;
+  constexpr int most_steps = 100;
+  double part = 1;
+  for (int i = 0; i < steps || (part < much && i < most_steps); ++i)
+    part = neighbourhood.improve(map.coordinates[v]);
 }
 
 // Brings back removed vertices until `left` are left, each at a place where no triangle gets
