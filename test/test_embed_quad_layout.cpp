@@ -11,6 +11,7 @@
 #include <CGAL/Quad_layouts/compute_cross_field.h>
 #include <CGAL/Quad_layouts/embed_quad_layout.h>
 #include <CGAL/Quad_layouts/extract_quad_layout.h>
+#include <CGAL/Quad_layouts/internal/embedding/coarse_to_fine.h>
 #include <CGAL/Quad_layouts/quantize.h>
 #include <CGAL/Quad_layouts/trace_motorcycle_graph.h>
 
@@ -230,6 +231,34 @@ BOOST_AUTO_TEST_CASE(same_input_same_map)
   const auto mesh = generated::slab_with_holes(1, 4);
   const Embedded a(mesh, 1, 0.03), b(mesh, 1, 0.03);
   BOOST_TEST((a.map.corner_coordinates == b.map.corner_coordinates));
+}
+
+// One step would make their distance from the border only half as large again.
+BOOST_AUTO_TEST_CASE(vertices_leave_the_border_of_their_polygons)
+{
+  using QL::internal::Map;
+  const auto check = [](auto measure, double distance) {
+    Map map; // of a hexagon and its centre
+    map.points.emplace_back(0, 0, 0);
+    for (int k = 0; k < 6; ++k) {
+      map.points.emplace_back(std::cos(k * CGAL_PI / 3), std::sin(k * CGAL_PI / 3), 0);
+      map.faces.push_back(
+          {{0, k + 1, (k + 1) % 6 + 1}, {}, {-1, -1, -1}, {Map::PLAIN, Map::PLAIN, Map::PLAIN}});
+    }
+    for (const auto& p : map.points)
+      map.coordinates.push_back(p.head<2>());
+    map.freedom.assign(map.points.size(), Map::FREE);
+    const double border = std::sqrt(0.75);
+    map.coordinates[0].y() = border - distance;
+    const std::vector<char> is_cone(map.points.size(), 0);
+    const QL::internal::Vertex_removal levels(map, {}, is_cone);
+    QL::internal::improve_vertex<decltype(measure)>(map, levels, 0, 1);
+    BOOST_TEST(map.coordinates[0].y() < border - 0.02);
+  };
+  for (const double distance : {0.1, 1e-3, 1e-6, 1e-9}) {
+    check(QL::internal::Distortion(), distance);
+    check(QL::internal::Squared_distortion(), distance);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(bad_parameters_are_refused)
