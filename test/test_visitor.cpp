@@ -106,4 +106,16 @@ BOOST_AUTO_TEST_CASE(visitor_stops_the_work)
   BOOST_TEST(*diary.text == "<a.a><b9/8!");
 }
 
+BOOST_AUTO_TEST_CASE(who_has_stopped_the_work_is_not_asked_again)
+{
+  int asked = 0;
+  const QL::internal::Monitor monitor([&] { return ++asked != 2; }, {});
+  const QL::internal::Monitor limited = monitor.limited_to(1000);
+  BOOST_TEST(!limited.stopped());
+  BOOST_TEST(limited.stopped());
+  BOOST_TEST(limited.stopped());
+  BOOST_CHECK_THROW(monitor.check("a"), QL::Cancelled);
+  BOOST_TEST(asked == 2);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -30,7 +30,8 @@ public:
   /// another `CGAL::Quad_layouts::Layout_route` than the one asked for.
   void changed_route(const char* reason);
 
-  /// is called often, and says whether the work shall go on. If it does not, the function that
-  /// works ends with the exception `CGAL::Quad_layouts::Cancelled`, and has no effect.
+  /// is called often, and says whether the work shall go on. If it does not, it is not called again,
+  /// and the function that works ends with the exception `CGAL::Quad_layouts::Cancelled`, and has no
+  /// effect.
   bool go_on();
 };

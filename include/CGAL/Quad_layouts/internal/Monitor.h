@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -61,8 +62,12 @@ public:
     return result;
   }
 
-  // true if the user wants the work to end
-  bool stopped() const { return m_callbacks.go_on && !m_callbacks.go_on(); }
+  // True if the user wants the work to end. Who has said so is not asked again.
+  bool stopped() const
+  {
+    *m_is_stopped = *m_is_stopped || (m_callbacks.go_on && !m_callbacks.go_on());
+    return *m_is_stopped;
+  }
 
   // true if the time is over
   bool is_late() const { return m_end != (Clock::time_point::max)() && Clock::now() > m_end; }
@@ -139,6 +144,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   Callbacks m_callbacks;
+  std::shared_ptr<bool> m_is_stopped = std::make_shared<bool>(false); // the same for copies
   Clock::time_point m_end = (Clock::time_point::max)();
 };
 
