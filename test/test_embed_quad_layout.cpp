@@ -6,6 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "checked_derivatives.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Quad_layouts/compute_cross_field.h>
@@ -233,6 +234,15 @@ BOOST_AUTO_TEST_CASE(same_input_same_map)
   BOOST_TEST((a.map.corner_coordinates == b.map.corner_coordinates));
 }
 
+BOOST_AUTO_TEST_CASE(derivatives_of_the_distortion_and_its_square)
+{
+  for (const Eigen::Vector4d& v :
+       {Eigen::Vector4d(1, 0.2, -0.3, 0.8), Eigen::Vector4d(0.3, 3, -2, 1)}) {
+    check_derivatives(QL::internal::Distortion(), v);
+    check_derivatives(QL::internal::Squared_distortion(), v);
+  }
+}
+
 // One step would make their distance from the border only half as large again.
 BOOST_AUTO_TEST_CASE(vertices_leave_the_border_of_their_polygons)
 {
@@ -255,7 +265,7 @@ BOOST_AUTO_TEST_CASE(vertices_leave_the_border_of_their_polygons)
     QL::internal::improve_vertex<decltype(measure)>(map, levels, 0, 1);
     BOOST_TEST(map.coordinates[0].y() < border - 0.02);
   };
-  for (const double distance : {0.1, 1e-3, 1e-6, 1e-9}) {
+  for (const double distance : {1e-3, 1e-6, 1e-9}) {
     check(QL::internal::Distortion(), distance);
     check(QL::internal::Squared_distortion(), distance);
   }

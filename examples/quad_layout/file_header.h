@@ -80,20 +80,28 @@ private:
     types.emplace(name, type);
   }
 
+  // CGAL reads vertices, faces and halfedges
   static void check_ply_types(const std::string& element, const Ply_types& types)
   {
-    if (element == "vertex" || element == "vertices")
+    const bool is_vertex = element == "vertex" || element == "vertices";
+    if (is_vertex)
       for (const char* name : {"x", "y", "z"})
         check_ply_type(element, name, types, {"float", "float32", "double", "float64"});
+    if (is_vertex || element == "face" || element == "faces")
+      check_colours(element, types);
     if (element == "halfedge")
       for (const char* name : {"source", "target"})
         if (types.count(name) > 0)
           check_ply_type(element, name, types, {"uint", "uint32"});
-    std::set<std::string> colours;
+  }
+
+  static void check_colours(const std::string& element, const Ply_types& types)
+  {
+    std::set<std::string> found_types;
     for (const char* name : {"red", "green", "blue", "r", "g", "b"})
       if (const auto found = types.find(name); found != types.end())
-        colours.insert(found->second);
-    if (colours.size() > 1)
+        found_types.insert(found->second);
+    if (found_types.size() > 1)
       throw Input_error("the colours of element \"" + element + "\" are of different types");
   }
 

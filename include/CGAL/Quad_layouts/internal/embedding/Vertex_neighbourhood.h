@@ -74,11 +74,14 @@ public:
                         : m_freedom == Map::ALONG_X ? Point2(-gradient.x() / hessian(0, 0), 0)
                                                     : Point2(0, -gradient.y() / hessian(1, 1));
     const double before = value(x);
-    for (double length = 1; length > 1e-3; length /= 2)
-      if (const Point2 y = on_grid(x + length * move, m_spacing); value(y) < before) {
+    for (double length = 1; length > 1e-3; length /= 2) {
+      const Point2 y = on_grid(x + length * move, m_spacing);
+      const double after = value(y);
+      if (after < before) {
         x = y;
-        return value(y) / before;
+        return after / before;
       }
+    }
     return 1;
   }
 
