@@ -40,6 +40,8 @@ public:
   // per group of singularities that fall together the arcs of a chain from one to another, and an
   // arc of each closed fixed curve that vanishes
   const std::vector<std::vector<int>>& chains() const { return m_chains; }
+  // how many singularities fall together with others, and how many closed fixed curves vanish
+  int number_of_losses() const { return m_number_of_losses; }
 
   // Marks traces that should stop earlier, the more the more are marked already. Returns whether
   // there were any: else the singularities cannot be separated.
@@ -109,8 +111,10 @@ private:
       if (is_squeezed(a)) {
         groups.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
         if (m_t_mesh.is_fixed(a)) {
-          if (pieces.find_set(m_t_mesh.source(2 * a)) == pieces.find_set(m_t_mesh.target(2 * a)))
+          if (pieces.find_set(m_t_mesh.source(2 * a)) == pieces.find_set(m_t_mesh.target(2 * a))) {
             m_chains.push_back({a}); // it closes a fixed curve
+            ++m_number_of_losses;
+          }
           pieces.union_set(m_t_mesh.source(2 * a), m_t_mesh.target(2 * a));
         }
       }
@@ -118,16 +122,19 @@ private:
       m_piece.push_back(int(pieces.find_set(v)));
       m_is_on_fixed_curve.push_back(m_t_mesh.is_on_fixed_curve(v));
     }
-    constexpr int NONE = -1, DONE = -2;
-    std::vector<int> first(n, NONE); // per group, a node that should be apart from others
+    std::vector<int> first(n, -1); // per group, a node that should be apart from others
+    std::vector<char> has_chain(n, 0);
     for (int v = 0; v < n; ++v) {
       if (m_t_mesh.index(v) == 0 && !m_is_on_fixed_curve[v])
         continue;
-      int& u = first[groups.find_set(v)];
-      if (u == NONE)
-        u = v;
-      else if (u != DONE && should_be_apart(u, v))
-        m_chains.push_back(chain_from(std::exchange(u, DONE)));
+      const std::size_t group = groups.find_set(v);
+      if (first[group] < 0)
+        first[group] = v;
+      else if (should_be_apart(first[group], v)) {
+        ++m_number_of_losses;
+        if (!std::exchange(has_chain[group], 1))
+          m_chains.push_back(chain_from(first[group]));
+      }
     }
   }
 
@@ -228,6 +235,7 @@ private:
   std::vector<int> m_piece; // of the fixed curves as far as they are squeezed
   std::vector<char> m_is_on_fixed_curve;
   std::vector<std::vector<int>> m_chains;
+  int m_number_of_losses = 0;
 };
 
 } // namespace internal

@@ -84,8 +84,8 @@ public:
 
   // the traces that are to stop at the first one that they meet
   std::vector<char>& is_hasty() { return m_is_hasty; }
-  // lets all do so
-  void stop_extending() { m_rule.is_extended = false; }
+  // if not, all do so
+  void set_extended(bool is_extended) { m_rule.is_extended = is_extended; }
 
 private:
   std::shared_ptr<const Triangle_surface> m_surface;

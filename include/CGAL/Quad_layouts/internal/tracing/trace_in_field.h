@@ -25,8 +25,10 @@ namespace CGAL {
 namespace Quad_layouts {
 namespace internal {
 
-// Traces the extended motorcycle graph of a field, and does so again where that turns out to be no
-// base for a layout.
+// Traces the extended motorcycle graph of a field, as far as that is a base for a layout.
+//
+// The graph that is not extended is traced first. It is contained in all others, so what falls
+// together there does so in these, too.
 class Field_tracing
 {
 public:
@@ -37,31 +39,34 @@ public:
 
   T_mesh operator()()
   {
-    T_mesh result = trace_apart();
+    m_tracing.set_extended(false);
+    T_mesh result = m_tracing.trace(m_labels);
     std::vector<Chain> chains = Squeezed_singularities(result).chains_to_fixed_curves();
     if (!chains.empty())
       separate(chains, result);
-    return result;
+    m_tracing.set_extended(true);
+    return extend(Squeezed_singularities(result).number_of_losses());
   }
 
 private:
   using Chain = std::vector<int>; // of arcs
   using Strip = std::vector<int>; // the arcs across it
 
-  // extends traces as far as this does not squeeze singularities
-  T_mesh trace_apart()
+  // extends traces as far as this lets no more singularities fall together than there are already
+  T_mesh extend(int inevitable_losses)
   {
-    T_mesh result = m_tracing.trace(m_labels);
-    while (Squeezed_singularities(result).release(m_tracing.is_hasty()))
-      result = m_tracing.trace(m_labels);
-    return result;
+    for (;;) {
+      T_mesh result = m_tracing.trace(m_labels);
+      const Squeezed_singularities squeezed(result);
+      if (squeezed.number_of_losses() <= inevitable_losses ||
+          !squeezed.release(m_tracing.is_hasty()))
+        return result;
+    }
   }
 
-  // Separates fixed curves that chains of squeezed arcs join. The graph is not extended from then
-  // on: longer traces squeeze more.
+  // separates fixed curves that chains of squeezed arcs join
   void separate(std::vector<Chain>& chains, T_mesh& t_mesh)
   {
-    m_tracing.stop_extending();
     insert_dipoles(chains, t_mesh);
     for (std::size_t hopeless = 0; hopeless < chains.size();)
       if (!move_index_near(hopeless, chains, t_mesh))
