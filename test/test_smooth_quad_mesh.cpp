@@ -5,6 +5,7 @@
 // Author(s) : The Quad_layouts authors
 
 #include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Place_search.h>
+#include <CGAL/Quad_layouts/internal/quad_mesh/smooth_Quad_untangler.h>
 #include <CGAL/Quad_layouts/measure_quad_mesh.h>
 #include <CGAL/Quad_layouts/smooth_quad_mesh.h>
 
@@ -206,6 +207,47 @@ BOOST_AUTO_TEST_CASE(folds_at_thin_ears_are_untangled)
   const QL::Quad_mesh_measures m = smoothed(quads, surface);
   BOOST_TEST(m.msj_average > 0.94);
   BOOST_TEST(m.msj_minimum > 0.2);
+}
+
+// A sheet with its normals down lies above one with its normals up. No way on the surface leads
+// back from the one to the other.
+BOOST_AUTO_TEST_CASE(begins_anew_where_vertices_are_trapped)
+{
+  using namespace QL::internal;
+  constexpr int n = 12;
+  std::vector<Point> points;
+  std::vector<std::vector<int>> polygons;
+  for (const double height : {0., 1.}) {
+    const int first = int(points.size());
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i)
+        points.emplace_back(height == 0 ? i : n - i, j, height);
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const int v = first + j * (n + 1) + i;
+        polygons.push_back({v, v + 1, v + n + 2, v + n + 1});
+      }
+  }
+  const Mesh sheets = generated::triangulated(generated::mesh_of_polygons(points, polygons));
+  points.resize(points.size() / 2);
+  polygons.resize(polygons.size() / 2);
+  const Mesh lower = generated::mesh_of_polygons(points, polygons);
+
+  const Triangle_surface surface = surface_with_fixed_edges(sheets,
+                                                            QL::parameters::default_values());
+  const Surface_walk walk(surface);
+  Polygons mesh = make_polygons(lower, lower.points());
+  Quads_on_surface quads(mesh, walk);
+  const std::vector<Surface_walk::Place> first = quads.places(quads.movable());
+  BOOST_TEST(quads.bad_quads().empty());
+  for (const int v : quads.surroundings({n * n / 2 + n / 2}, 1))
+    quads.move(v, walk.locate(mesh.points[v] + Eigen::Vector3d(0, 0, 1), {0, 0, -1}));
+  BOOST_TEST(!quads.bad_quads().empty());
+  const Monitor monitor;
+  Quad_untangler(quads, monitor).repair_from(first);
+  BOOST_TEST(quads.bad_quads().empty());
+  for (const auto& p : mesh.points)
+    BOOST_TEST(p.z() == 0);
 }
 
 // those of the distortion around a vertex, by differences

@@ -45,7 +45,9 @@ public:
   {
     const int n = number_of_iterations;
     follow_curves(m_quads);
-    Quad_untangler(m_quads, monitor).unfold();
+    const std::vector<Surface_walk::Place> first = m_quads.places(m_quads.movable());
+    Quad_untangler untangler(m_quads, monitor);
+    untangler.unfold();
     for (int i = 0; i < 2 * n && monitor.has_time("smooth_quad_mesh"); ++i) {
       monitor.tell("smooth_quad_mesh", double(i) / (4 * n));
       sweep_unsettled(m_quads.movable(), [this](int v) { m_steps.relax(v); });
@@ -55,7 +57,8 @@ public:
       sweep_unsettled(m_quads.movable(), [this](int v) { m_steps.improve_shape(v); });
     }
     polish_worst(monitor);
-    Quad_untangler(m_quads, monitor).repair();
+    untangler.repair();
+    untangler.repair_from(first);
   }
 
   // the quads that are inverted or oppose the surface, ascending

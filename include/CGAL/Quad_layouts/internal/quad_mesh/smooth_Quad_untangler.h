@@ -81,7 +81,35 @@ public:
     } while (after > 0 && after < before);
   }
 
+  // Begins anew near quads that are still bad, from the places that the movable vertices had
+  // before: what has been moved into a fold of the surface may find no way out.
+  void repair_from(const std::vector<Surface_walk::Place>& before)
+  {
+    for (int rings = 4; rings <= 8; rings += 2) {
+      const std::vector<int> bad_quads = m_quads.bad_quads();
+      if (bad_quads.empty() || !m_monitor.has_time("smooth_quad_mesh"))
+        return;
+      const std::vector<Surface_walk::Place> best = m_quads.places(m_quads.movable());
+      move_back(m_quads.surroundings(bad_quads, rings), before);
+      repair();
+      if (m_quads.bad_quads().size() >= bad_quads.size())
+        for (std::size_t i = 0; i < best.size(); ++i)
+          m_quads.move(m_quads.movable()[i], best[i]);
+    }
+  }
+
 private:
+  // Moves vertices of a region to places that are given for all movable ones. On curves, where
+  // their order counts, they stay.
+  void move_back(const std::vector<int>& region, const std::vector<Surface_walk::Place>& before)
+  {
+    const std::vector<int>& movable = m_quads.movable();
+    for (const int v : region)
+      if (!m_quads.is_on_curve(v))
+        m_quads.move(v, before[std::lower_bound(movable.begin(), movable.end(), v) -
+                               movable.begin()]);
+  }
+
   // the least that determinants, in units of the area of a quad, are regularized with
   static constexpr std::array<double, 3> least_epsilons = {1e-5, 1e-4, 1e-3};
 
