@@ -45,10 +45,11 @@ Traces that wind around a limit cycle can leave arcs between them that have leng
 consistent quantizations. Where such arcs join singularities, these traces are not extended: they
 stop at the first trace that they meet, as in a motorcycle graph. So quantizations can keep all
 singularities apart, but for those that fall together even if no trace at all is extended: to a
-single pair of valence 3 and 5 on a torus, for instance, no quad mesh belongs (\cgalCite{ikrss-ntt-13}). Where fixed curves would fall together
-even so, further pairs of singularities, of valence 3 and 5, are put between them
-(\cgalCite{mpz-rfagp-14}), or quarters of index are moved from vertex to vertex near the place,
-which may change the singularities and the corners of the curves there.
+single pair of valence 3 and 5 on a torus, for instance, no quad mesh belongs
+(\cgalCite{ikrss-ntt-13}). Where fixed curves would fall together even so, further pairs of
+singularities, of valence 3 and 5, are put between them (\cgalCite{mpz-rfagp-14}), or quarters of
+index are moved from vertex to vertex near the place, which may change the singularities and
+the corners of the curves there.
 
 The border and other fixed curves are made of traces, too. Motorcycles that get to the border stop;
 fixed lines inside of the surface count as traces that start at both their ends. Closed fixed curves

@@ -99,6 +99,9 @@ public:
   }
 
 private:
+  // the least that determinants, in units of the area of a quad, are regularized with
+  static constexpr std::array<double, 3> least_epsilons = {1e-5, 1e-4, 1e-3};
+
   // Moves vertices of a region to places that are given for all movable ones. On curves, where
   // their order counts, they stay.
   void move_back(const std::vector<int>& region, const std::vector<Surface_walk::Place>& before)
@@ -109,9 +112,6 @@ private:
         m_quads.move(v, before[std::lower_bound(movable.begin(), movable.end(), v) -
                                movable.begin()]);
   }
-
-  // the least that determinants, in units of the area of a quad, are regularized with
-  static constexpr std::array<double, 3> least_epsilons = {1e-5, 1e-4, 1e-3};
 
   // Searches for better places of single vertices, from where they are and from the unfolded state,
   // then from random places, and of sides of quads.
