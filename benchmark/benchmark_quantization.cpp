@@ -88,7 +88,7 @@ QL::Quantization quantize(const QL::T_mesh& t_mesh, const Options& options, doub
 {
   const auto np = parameters::maximum_deviation(alpha)
                       .maximum_displacement(r)
-                      .maximum_running_time(options.seconds)
+                      .maximum_search_time(options.seconds)
                       .relative_gap(options.gap)
                       .concurrent_searches(options.threads)
                       .visitor(history);

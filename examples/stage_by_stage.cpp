@@ -49,7 +49,7 @@ void remesh(const Mesh& mesh, Mesh& quads)
   std::cout << "  " << t_mesh.traces.size() << " traces, which cut the surface into "
             << t_mesh.number_of_faces() << " patches\n";
 
-  const QL::Quantization quantization = QL::quantize(t_mesh, np);
+  const QL::Quantization quantization = QL::quantize(t_mesh, np.maximum_search_time(10));
   std::cout << "  an objective of " << quantization.objective << ", at most "
             << 100 * quantization.gap() << " % above the least\n";
 

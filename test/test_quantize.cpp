@@ -284,6 +284,18 @@ BOOST_AUTO_TEST_CASE(refuses_parameters_out_of_range)
   BOOST_CHECK_THROW(QL::quantize(t, np.relative_gap(-0.1)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.concurrent_searches(0)), QL::Invalid_parameter);
   BOOST_CHECK_THROW(QL::quantize(t, np.maximum_running_time(0)), QL::Invalid_parameter);
+  BOOST_CHECK_THROW(QL::quantize(t, np.maximum_search_time(0)), QL::Invalid_parameter);
+}
+
+// However short the search, there is the solution that it begins with.
+BOOST_AUTO_TEST_CASE(limits_the_search_and_everything)
+{
+  const QL::T_mesh t = traced(generated::noisy(generated::icosphere(3), 0.08, 5), 25, 3);
+  const auto np = parameters::maximum_deviation(25).maximum_displacement(3);
+  const QL::Quantization first = QL::quantize(t, np.maximum_search_time(1e-9));
+  BOOST_TEST(first.status == QL::Quantization::FEASIBLE);
+  BOOST_TEST(QL::quantize(t, np.maximum_search_time(2)).objective < first.objective);
+  BOOST_CHECK_THROW(QL::quantize(t, np.maximum_running_time(1e-9)), QL::Time_limit_exceeded);
 }
 
 struct Impatient : QL::Default_visitor
@@ -336,7 +348,7 @@ BOOST_AUTO_TEST_CASE(concurrent_searches_can_be_repeated)
     Beginning result;
     const auto np = parameters::maximum_deviation(25)
                         .maximum_displacement(3)
-                        .maximum_running_time(1000)
+                        .maximum_search_time(1000)
                         .concurrent_searches(3)
                         .visitor(std::ref(result));
     BOOST_CHECK_THROW(QL::quantize<Small_programs_traits>(t, np), QL::Cancelled);

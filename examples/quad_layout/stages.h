@@ -262,9 +262,9 @@ QL::Quantization quantization_of(const QL::T_mesh& t_mesh, const Options& option
   QL::Quantization result = clock("quantize", [&] {
     if (!options.solution.empty())
       return read_solution(options.solution, t_mesh, np);
-    const double half = clock.seconds_left() / 2;
     return quantize_by(options.solver, t_mesh,
-                       np.maximum_running_time((std::min)(options.search_limit, half)));
+                       np.maximum_search_time(options.search_limit)
+                           .maximum_running_time(clock.seconds_left() / 2));
   });
   if (result.status == QL::Quantization::INFEASIBLE)
     throw QL::Stage_failure("quantize: no valid quantization was found" +

@@ -65,7 +65,7 @@ template <class TriangleMesh, class NamedParameters>
 Quad_layout simple_layout(const T_mesh& t_mesh, const TriangleMesh& tm, const Time_budget& budget,
                           const NamedParameters& np)
 {
-  const double seconds = budget.left_for_search(Quantization_options::default_seconds);
+  const double seconds = budget.left_for_quantization();
   const Quantization quantization = quantize_on_mesh(t_mesh, tm, with_time_limit(np, seconds));
   if (quantization.status == Quantization::INFEASIBLE)
     throw Stage_failure("quantize: no valid layout was found that meets all demands" +
@@ -107,8 +107,8 @@ two vertices, which not every function on meshes expects.
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
           `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is
-          for all stages together, of which the integer program gets 30 seconds at most; and
-          `face_weight_map`, which says how dear patches are on a face, see `arc_weights()`
+          for all stages together; and `face_weight_map`, which says how dear patches are on a
+          face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               `vertex_point_map`
 
@@ -148,8 +148,8 @@ each of them; those from `compute_t_mesh()` on by `try_layout_routes()`.
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
           `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is
-          for all stages together, of which the integer program gets 30 seconds at most; and
-          `face_weight_map`, which says how dear patches are on a face, see `arc_weights()`
+          for all stages together; and `face_weight_map`, which says how dear patches are on a
+          face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               those of `extract_smooth_quad_mesh()`
 

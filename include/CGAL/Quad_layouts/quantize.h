@@ -44,8 +44,8 @@ a second. Where thousands of pairs of singularities are close, the solver sees o
 that some solution has violated; the bound holds without the others, and each solution is checked
 against all. Cuts that turn invalid layouts away may, in rare cases, exclude a valid one as well;
 the bound does not rest on these. The parts of the search end by limits of work, so that the result
-does not depend on the speed of the machine, unless a part reaches its share of the time limit or
-the whole search the limit itself, which is usual above about one hundred singularities.
+does not depend on the speed of the machine, unless a part reaches its share of the time of
+the search or the whole search its end, which is usual above about one hundred singularities.
 
 @tparam MixedIntegerProgramTraits a model of `QuadLayoutsMixedIntegerProgramTraits`, by default
         `GLPK_mixed_integer_program_traits<double>`; `CBC_mixed_integer_program_traits<double>` and
@@ -90,7 +90,13 @@ the whole search the limit itself, which is usual above about one hundred singul
     \cgalParamExtra{It must be at least 4.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
-    \cgalParamDescription{when to end the search, in seconds; the best solution found is returned}
+    \cgalParamDescription{when to end, in seconds; the best solution found is returned}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_search_time}
+    \cgalParamDescription{for how long to search solutions better than the first one, in seconds; the
+                          best one found is returned}
     \cgalParamType{`double`, positive}
     \cgalParamDefault{`30`}
   \cgalParamNEnd

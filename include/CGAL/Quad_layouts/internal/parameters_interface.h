@@ -25,6 +25,7 @@ CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(target_edge_length)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(minimum_valence)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(maximum_valence)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(relative_gap)
+CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(maximum_search_time)
 CGAL_QUAD_LAYOUTS_NAMED_PARAMETER(concurrent_searches)
 
 // of single quantizations

@@ -55,10 +55,7 @@ public:
   }
 
   // the seconds for the search of a quantization: what comes afterwards may take as long again
-  double left_for_search(double at_most) const
-  {
-    return (std::min)(at_most, left_for("quantize") / 2);
-  }
+  double left_for_quantization() const { return left_for("quantize") / 2; }
 
 private:
   double m_seconds;

@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_QUANTIZATION_PROGRAM_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_wishes.h>
 #include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 #include <CGAL/Quad_layouts/internal/quantization/alignments.h>
@@ -218,10 +219,12 @@ inline void add_wishes(const T_mesh& t_mesh, const Runs& runs, const Quantizatio
 
 } // namespace quantization_program
 
-// returns the program of [LCK21b] for `t_mesh`, with the wishes of the user
+// returns the program of [LCK21b] for `t_mesh`, with the wishes of the user; `monitor` ends what
+// takes long
 inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
                                                        const Quantization_demands& demands,
-                                                       const Quantization_wishes& wishes = {})
+                                                       const Quantization_wishes& wishes = {},
+                                                       const Monitor& monitor = {})
 {
   const Runs runs(t_mesh);
   Quantization_program result;
@@ -230,7 +233,7 @@ inline Quantization_program build_quantization_program(const T_mesh& t_mesh,
   for (int r = 0; r < runs.size(); ++r)
     result.runs.push_back(runs[r].arcs);
   result.prefixes = quantization_program::prefixes(t_mesh, runs, demands);
-  result.pairs = close_pairs(t_mesh, runs, demands.reach);
+  result.pairs = close_pairs(t_mesh, runs, demands.reach, monitor);
   result.index_range.assign(t_mesh.number_of_vertices(),
                             {demands.minimum_index, demands.maximum_index});
   for (int n = 0; n < t_mesh.number_of_vertices(); ++n)

@@ -55,8 +55,10 @@ public:
                       const Monitor& monitor)
     : m_t_mesh(t_mesh), m_options(options), m_monitor(monitor),
       m_limited_monitor(monitor.limited_to(options.seconds)), m_timer(started_timer()),
-      m_paper(build_quantization_program(t_mesh, options.demands, options.wishes)),
-      m_graph(t_mesh, m_paper.zero_arcs()), m_program(reduce(t_mesh, m_paper, m_graph)),
+      m_end(options.seconds), m_paper(build_quantization_program(
+                                  t_mesh, options.demands, options.wishes, m_limited_monitor)),
+      m_graph(t_mesh, m_paper.zero_arcs()),
+      m_program(reduce(t_mesh, m_paper, m_graph, m_limited_monitor)),
       m_incumbent(t_mesh, m_paper, m_graph, m_program, m_limited_monitor),
       m_neighbourhoods(t_mesh, m_graph),
       m_schedule(int(m_paper.singularities.size()), m_program.number_of_variables()),
@@ -67,6 +69,7 @@ public:
   Quantization run()
   {
     if (m_incumbent.start() || find_first_solution()) {
+      limit_search();
       report_improvement();
       make_index_rows_lazy_if_many(m_program);
       if (solve_relaxation())
@@ -105,7 +108,14 @@ private:
     return m_incumbent.objective() - m_bound <= gap * m_incumbent.objective();
   }
   bool is_done() const { return is_proven() || m_is_exhausted || seconds_left() <= 0; }
-  double seconds_left() const { return m_options.seconds - m_timer.time(); }
+  double seconds_left() const { return m_end - m_timer.time(); }
+
+  // from the first solution on
+  void limit_search()
+  {
+    m_end = (std::min)(m_options.seconds, m_timer.time() + m_options.search_seconds);
+    m_limited_monitor = m_monitor.limited_to(seconds_left());
+  }
 
   void report() const
   {
@@ -124,7 +134,7 @@ private:
 
   Search_effort effort(int nodes, double share_of_time, double gap = 0.001) const
   {
-    return {(std::min)(seconds_left(), share_of_time * m_options.seconds), nodes, gap,
+    return {(std::min)(seconds_left(), share_of_time * m_options.search_seconds), nodes, gap,
             [this] { return m_monitor.stopped(); }};
   }
 
@@ -237,7 +247,7 @@ private:
         return false;
       m_relaxation = solution.x;
       raise_bound(solution.bound);
-      if (m_timer.time() > 0.2 * m_options.seconds)
+      if (seconds_left() < 0.8 * m_options.search_seconds)
         return false;
       if (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0)
         continue;
@@ -326,7 +336,7 @@ private:
       const std::vector<int> start = incumbent.values();
       const auto solutions = solve_in_boxes<Traits>(m_program, boxes, start,
                                                     effort(nodes, small_share));
-      m_monitor.report("quantize", (std::min)(1., m_timer.time() / m_options.seconds));
+      m_monitor.report("quantize", 1 - (std::max)(0., seconds_left() / m_options.search_seconds));
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         const bool improved = take_over(solutions[i], start, incumbent);
         m_schedule.end(kinds[i], boxes[i].number_of_free_variables(),
@@ -401,8 +411,9 @@ private:
   const T_mesh& m_t_mesh;
   const Quantization_options m_options;
   const Monitor& m_monitor;
-  const Monitor m_limited_monitor; // for work without which there is no result
+  Monitor m_limited_monitor;
   Real_timer m_timer;
+  double m_end; // by the timer
   const Quantization_program m_paper;
   const Dual_graph m_graph;
   Reduced_program m_program;

@@ -7,6 +7,7 @@
 #ifndef CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_REDUCED_PROGRAM_H
 
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quantization/Integer_row.h>
 #include <CGAL/Quad_layouts/internal/quantization/Quantization_program.h>
 #include <CGAL/Quad_layouts/internal/quantization/minimal_sets.h>
@@ -160,7 +161,7 @@ inline void add_covers(const Quantization_program& program, Reduced_program& res
 
 // adds the indicators that are not constant, and the index rows that they can violate
 inline void add_index_rows(const T_mesh& t_mesh, const Quantization_program& program,
-                           Reduced_program& result)
+                           const Monitor& monitor, Reduced_program& result)
 {
   std::vector<Reduced_program::Index_row> row(t_mesh.number_of_vertices());
   for (int n : program.singularities)
@@ -168,6 +169,7 @@ inline void add_index_rows(const T_mesh& t_mesh, const Quantization_program& pro
         t_mesh.index(n), program.index_range[n].first, program.index_range[n].second, {}, false};
   const Subset_query covers(result.covers, result.number_of_variables());
   for (const Close_pair& pair : program.pairs) {
+    monitor.check("quantize");
     const auto path = result.set_of(pair.path);
     if (covers.has_subset_of(path)) // the two never merge
       continue;
@@ -211,9 +213,9 @@ inline void add_wishes(const T_mesh& t_mesh, const Quantization_program& program
 
 } // namespace reduction
 
-// `graph` must know the zero arcs of `program`
+// `graph` must know the zero arcs of `program`; `monitor` ends what takes long
 inline Reduced_program reduce(const T_mesh& t_mesh, const Quantization_program& program,
-                              const Dual_graph& graph)
+                              const Dual_graph& graph, const Monitor& monitor = {})
 {
   Reduced_program result;
   result.penalty = program.penalty();
@@ -226,7 +228,7 @@ inline Reduced_program reduce(const T_mesh& t_mesh, const Quantization_program& 
   result.equations = reduction::reduced(program.equations, result.variable);
   result.mirrored = reduction::reduced(program.mirrored, result.variable);
   reduction::add_covers(program, result);
-  reduction::add_index_rows(t_mesh, program, result);
+  reduction::add_index_rows(t_mesh, program, monitor, result);
   reduction::add_wishes(t_mesh, program, result);
   return result;
 }

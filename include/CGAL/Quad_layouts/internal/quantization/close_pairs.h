@@ -8,6 +8,7 @@
 #define CGAL_QUAD_LAYOUTS_INTERNAL_QUANTIZATION_CLOSE_PAIRS_H
 
 #include <CGAL/Quad_layouts/T_mesh.h>
+#include <CGAL/Quad_layouts/internal/Monitor.h>
 #include <CGAL/Quad_layouts/internal/quantization/Runs.h>
 
 #include <algorithm>
@@ -100,7 +101,8 @@ private:
 
 // returns the pairs of singularities that rows (2) do not separate: those whose runs meet within
 // `reach` of both, and those joined by a path of at most this length
-inline std::vector<Close_pair> close_pairs(const T_mesh& t_mesh, const Runs& runs, double reach)
+inline std::vector<Close_pair> close_pairs(const T_mesh& t_mesh, const Runs& runs, double reach,
+                                           const Monitor& monitor)
 {
   std::map<std::pair<int, int>, bool> is_close;
   for (const Run_meeting& m : runs.meetings()) {
@@ -114,6 +116,7 @@ inline std::vector<Close_pair> close_pairs(const T_mesh& t_mesh, const Runs& run
   for (int i = 0; i < t_mesh.number_of_vertices(); ++i) {
     if (!t_mesh.is_singularity_or_seed(i))
       continue;
+    monitor.check("quantize");
     // the legs of a crossing within reach are together at most twice as long
     distances.search(i, 2 * reach);
     std::vector<int> reached = distances.reached();
