@@ -548,6 +548,24 @@ BOOST_AUTO_TEST_CASE(faces_that_only_touch_are_equally_near)
     BOOST_TEST(walk.nearest_normal({x, -0.1, 0}, up, ground).dot(up) < 0);
 }
 
+// Half way between the two sides of a plate both are equally near.
+BOOST_AUTO_TEST_CASE(sides_of_a_plate_are_equally_near_in_its_middle)
+{
+  using namespace QL::internal;
+  Mesh plate = strip({{0, 0, 0.1}, {1, 0, 0.1}}, {{0, 1, 0.1}, {1, 1, 0.1}}, true);
+  CGAL::copy_face_graph(strip({{0, 1, -0.1}, {1, 1, -0.1}}, {{0, 0, -0.1}, {1, 0, -0.1}}, true),
+                        plate);
+  const Triangle_surface triangles = make_triangle_surface(plate, plate.points());
+  const Surface_walk walk(triangles);
+  for (const double z : {-1., 1.}) {
+    const Surface_walk::Vector along(0.9, 0, z * 0.1);
+    for (int face = 0; face < triangles.number_of_faces(); ++face) {
+      BOOST_TEST(walk.nearest_normal({0.4, 0.3, 0}, along, face).z() == -z);
+      BOOST_TEST(walk.nearest_normal({0.4, 0.3, z * 1e-6}, along, face).z() == z);
+    }
+  }
+}
+
 // None of the corners of a quad can move, so it remains upside down.
 BOOST_AUTO_TEST_CASE(bad_quads_are_counted)
 {

@@ -97,19 +97,22 @@ public:
   }
 
   // Returns the unit normal of the triangle nearest to p. If that is no single one, as they share
-  // an edge or vertex, or touch each other there, the normal is the one that agrees least with
-  // `direction`. The search is short if p is near to a face.
+  // an edge or vertex, or touch each other there, or p is in the middle of a part, the normal is
+  // the one that agrees least with `direction`. The search is short if p is near to a face.
   Vector nearest_normal(const Vector& p, const Vector& direction, int face) const
   {
     const Projection near = walk(face, p);
-    const int nearest =
-        m_tree.nearest(p, {near.point, near.face, std::sqrt(near.squared_distance)}).triangle;
-    Vector result = m_surface.normal(nearest);
-    for_each_face_beyond(project(nearest, p), [&](int beyond) {
-      const Vector n = m_surface.normal(beyond);
+    const auto nearest = m_tree.nearest(p,
+                                        {near.point, near.face, std::sqrt(near.squared_distance)});
+    Vector result = m_surface.normal(nearest.triangle);
+    const auto agree_least = [&](int face) {
+      const Vector n = m_surface.normal(face);
       if (n.dot(direction) < result.dot(direction))
         result = n;
-    });
+    };
+    for_each_face_beyond(project(nearest.triangle, p), agree_least);
+    if (const int other = opposing_as_near(p, direction, nearest.distance); other >= 0)
+      agree_least(other);
     return result;
   }
 
@@ -165,6 +168,14 @@ private:
   bool agrees(int face, const Vector& normal) const
   {
     return m_surface.area_vector(face).dot(normal) > 0;
+  }
+
+  // a face that opposes `direction` and is not farther away, up to rounding; -1 if there is none
+  int opposing_as_near(const Vector& p, const Vector& direction, double distance) const
+  {
+    constexpr double rounding = 1e-9;
+    const auto opposes = [&](int face) { return m_surface.area_vector(face).dot(direction) < 0; };
+    return m_tree.nearest_if(p, opposes, distance * (1 + rounding)).triangle;
   }
 
   Projection project(int face, const Vector& target) const

@@ -88,11 +88,15 @@ public:
     return nearest(p).distance;
   }
 
-  // the point nearest to p in the triangles that `admitted`, a predicate on indices, lets pass
+  // the point nearest to p in the triangles that `admitted`, a predicate on indices, lets pass, if
+  // its distance is below `limit`
   template <class Admitted>
-  Place nearest_if(const Eigen::Vector3d& p, const Admitted& admitted) const
+  Place nearest_if(const Eigen::Vector3d& p, const Admitted& admitted,
+                   double limit = (std::numeric_limits<double>::infinity)()) const
   {
-    return search(p, admitted, Place());
+    Place none;
+    none.distance = limit;
+    return search(p, admitted, none);
   }
 
 private:
