@@ -55,8 +55,9 @@ public:
                       const Monitor& monitor)
     : m_t_mesh(t_mesh), m_options(options), m_monitor(monitor),
       m_limited_monitor(monitor.limited_to(options.seconds)), m_timer(started_timer()),
-      m_end(options.seconds), m_paper(build_quantization_program(
-                                  t_mesh, options.demands, options.wishes, m_limited_monitor)),
+      m_seconds((std::min)(options.search_seconds, options.seconds)), m_end(options.seconds),
+      m_paper(
+          build_quantization_program(t_mesh, options.demands, options.wishes, m_limited_monitor)),
       m_graph(t_mesh, m_paper.zero_arcs()),
       m_program(reduce(t_mesh, m_paper, m_graph, m_limited_monitor)),
       m_incumbent(t_mesh, m_paper, m_graph, m_program, m_limited_monitor),
@@ -113,8 +114,9 @@ private:
   // from the first solution on
   void limit_search()
   {
-    m_end = (std::min)(m_options.seconds, m_timer.time() + m_options.search_seconds);
-    m_limited_monitor = m_monitor.limited_to(seconds_left());
+    m_seconds = (std::min)(m_options.search_seconds, seconds_left());
+    m_end = m_timer.time() + m_seconds;
+    m_limited_monitor = m_monitor.limited_to(m_seconds);
   }
 
   void report() const
@@ -134,7 +136,7 @@ private:
 
   Search_effort effort(int nodes, double share_of_time, double gap = 0.001) const
   {
-    return {(std::min)(seconds_left(), share_of_time * m_options.search_seconds), nodes, gap,
+    return {(std::min)(seconds_left(), share_of_time * m_seconds), nodes, gap,
             [this] { return m_monitor.stopped(); }};
   }
 
@@ -247,7 +249,7 @@ private:
         return false;
       m_relaxation = solution.x;
       raise_bound(solution.bound);
-      if (seconds_left() < 0.8 * m_options.search_seconds)
+      if (seconds_left() < 0.8 * m_seconds)
         return false;
       if (demand_index_rows(m_program, m_relaxation, everything.longest_path) > 0)
         continue;
@@ -336,7 +338,7 @@ private:
       const std::vector<int> start = incumbent.values();
       const auto solutions = solve_in_boxes<Traits>(m_program, boxes, start,
                                                     effort(nodes, small_share));
-      m_monitor.report("quantize", 1 - (std::max)(0., seconds_left() / m_options.search_seconds));
+      m_monitor.report("quantize", 1 - (std::max)(0., seconds_left() / m_seconds));
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         const bool improved = take_over(solutions[i], start, incumbent);
         m_schedule.end(kinds[i], boxes[i].number_of_free_variables(),
@@ -413,7 +415,8 @@ private:
   const Monitor& m_monitor;
   Monitor m_limited_monitor;
   Real_timer m_timer;
-  double m_end; // by the timer
+  double m_seconds; // for the search
+  double m_end;     // of it, by the timer
   const Quantization_program m_paper;
   const Dual_graph m_graph;
   Reduced_program m_program;
