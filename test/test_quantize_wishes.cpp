@@ -465,7 +465,7 @@ BOOST_AUTO_TEST_CASE(of_surfaces_with_fixed_edges)
     BOOST_TEST(internal::grants_wishes(program, q.arc_length));
   };
   const QL::Cross_field on_plate = QL::compute_cross_field(plate);
-  check_symmetry(on_plate, [](const Point& p) { return Point(3, 3, 0) - p; });
+  check_symmetry(on_plate, [](const Point& p) -> Point { return Point(3, 3, 0) - p; });
   check_symmetry(on_plate, [](const Point& p) { return Point(p.y(), p.x(), 0); });
 
   auto is_feature = cube.add_property_map<Edge, bool>("e:feature", false).first;
