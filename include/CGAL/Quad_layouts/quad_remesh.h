@@ -106,9 +106,9 @@ two vertices, which not every function on meshes expects.
 \param out the mesh that the layout is added to
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
-          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is
-          for all stages together; and `face_weight_map`, which says how dear patches are on a
-          face, see `arc_weights()`
+          `maximum_valence`, `maximum_search_time`, `vertex_point_map`, `visitor`, ...;
+          `maximum_running_time`, which is for all stages together; and `face_weight_map`, which
+          says how dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               `vertex_point_map`
 
@@ -147,9 +147,9 @@ each of them; those from `compute_t_mesh()` on by `try_layout_routes()`.
 \param out the mesh that the quadrilaterals are stored in; it must be empty
 \param np an optional sequence of the named parameters of the stages: `maximum_deviation`,
           `maximum_displacement`, `target_edge_length`, `layout_route`, `minimum_valence`,
-          `maximum_valence`, `vertex_point_map`, `visitor`, ...; `maximum_running_time`, which is
-          for all stages together; and `face_weight_map`, which says how dear patches are on a
-          face, see `arc_weights()`
+          `maximum_valence`, `maximum_search_time`, `vertex_point_map`, `visitor`, ...;
+          `maximum_running_time`, which is for all stages together; and `face_weight_map`, which
+          says how dear patches are on a face, see `arc_weights()`
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" for `out`:
               those of `extract_smooth_quad_mesh()`
 

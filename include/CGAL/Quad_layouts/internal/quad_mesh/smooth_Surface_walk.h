@@ -102,18 +102,17 @@ public:
   Vector nearest_normal(const Vector& p, const Vector& direction, int face) const
   {
     const Projection near = walk(face, p);
-    const auto nearest = m_tree.nearest(p,
-                                        {near.point, near.face, std::sqrt(near.squared_distance)});
-    Vector result = m_surface.normal(nearest.triangle);
-    const auto agree_least = [&](int face) {
-      const Vector n = m_surface.normal(face);
-      if (n.dot(direction) < result.dot(direction))
-        result = n;
+    const auto agrees_less = [&](int face, int other) {
+      return m_surface.normal(face).dot(direction) < m_surface.normal(other).dot(direction);
     };
-    for_each_face_beyond(project(nearest.triangle, p), agree_least);
-    if (const int other = opposing_as_near(p, direction, nearest.distance); other >= 0)
-      agree_least(other);
-    return result;
+    int result =
+        m_tree.nearest(p, {near.point, near.face, std::sqrt(near.squared_distance)}, agrees_less)
+            .triangle;
+    for_each_face_beyond(project(result, p), [&](int beyond) {
+      if (agrees_less(beyond, result))
+        result = beyond;
+    });
+    return m_surface.normal(result);
   }
 
   // the place to which a point that follows `target` gets from `start`
@@ -168,14 +167,6 @@ private:
   bool agrees(int face, const Vector& normal) const
   {
     return m_surface.area_vector(face).dot(normal) > 0;
-  }
-
-  // a face that opposes `direction` and is not farther away, up to rounding; -1 if there is none
-  int opposing_as_near(const Vector& p, const Vector& direction, double distance) const
-  {
-    constexpr double rounding = 1e-9;
-    const auto opposes = [&](int face) { return m_surface.area_vector(face).dot(direction) < 0; };
-    return m_tree.nearest_if(p, opposes, distance * (1 + rounding)).triangle;
   }
 
   Projection project(int face, const Vector& target) const

@@ -413,7 +413,7 @@ private:
   const T_mesh& m_t_mesh;
   const Quantization_options m_options;
   const Monitor& m_monitor;
-  Monitor m_limited_monitor;
+  Monitor m_limited_monitor; // until the first solution for that, then for the search
   Real_timer m_timer;
   double m_seconds; // for the search
   double m_end;     // of it, by the timer

@@ -22,7 +22,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -76,11 +78,14 @@ public:
     return {point, int(found.second - m_triangles.cbegin()), (point - p).norm()};
   }
 
-  // the same, for which a point near to p is known; the nearer that is, the less there is to search
-  Place nearest(const Eigen::Vector3d& p, const Place& known) const
+  // The same, for which a point near to p is known; the nearer that is, the less there is to search.
+  // Of triangles that are equally near, up to rounding, it is in the first by `less`, an order of
+  // their indices.
+  template <class Less>
+  Place nearest(const Eigen::Vector3d& p, const Place& known, const Less& less) const
   {
     return search(
-        p, [](int) { return true; }, known);
+        p, [](int) { return true; }, less, known);
   }
 
   double distance(const Eigen::Vector3d& p) const
@@ -88,22 +93,20 @@ public:
     return nearest(p).distance;
   }
 
-  // the point nearest to p in the triangles that `admitted`, a predicate on indices, lets pass, if
-  // its distance is below `limit`
+  // the point nearest to p in the triangles that `admitted`, a predicate on indices, lets pass
   template <class Admitted>
-  Place nearest_if(const Eigen::Vector3d& p, const Admitted& admitted,
-                   double limit = (std::numeric_limits<double>::infinity)()) const
+  Place nearest_if(const Eigen::Vector3d& p, const Admitted& admitted) const
   {
-    Place none;
-    none.distance = limit;
-    return search(p, admitted, none);
+    return search(
+        p, admitted, [](int, int) { return false; }, Place());
   }
 
 private:
-  template <class Admitted>
-  Place search(const Eigen::Vector3d& p, const Admitted& admitted, const Place& known) const
+  template <class Admitted, class Less>
+  Place search(const Eigen::Vector3d& p, const Admitted& admitted, const Less& less,
+               const Place& known) const
   {
-    Filtered_projection<Admitted> projection(*this, p, admitted, known);
+    Filtered_projection<Admitted, Less> projection(*this, p, admitted, less, known);
     m_tree.traversal(point_3(p), projection);
     return projection.best;
   }
@@ -114,12 +117,14 @@ private:
   }
 
   // the traversal traits of AABB_tree for a search in part of the primitives
-  template <class Admitted>
+  template <class Admitted, class Less>
   struct Filtered_projection
   {
+    static constexpr double rounding = 1e-9; // relative error of distances
+
     Filtered_projection(const Triangle_tree& owner, const Eigen::Vector3d& p,
-                        const Admitted& admitted, const Place& known)
-      : owner(owner), p(p), admitted(admitted), best(known)
+                        const Admitted& admitted, const Less& less, const Place& known)
+      : owner(owner), p(p), admitted(admitted), less(less), best(known)
     {
     }
     bool go_further() const { return true; }
@@ -132,8 +137,14 @@ private:
                                                                               query);
       const Eigen::Vector3d point(c.x(), c.y(), c.z());
       const double distance = (point - p).norm();
-      if (distance < best.distance)
+      if (is_better(t, distance))
         best = {point, t, distance};
+    }
+    bool is_better(int t, double distance) const
+    {
+      const bool is_equal = best.triangle >= 0 &&
+                            std::abs(distance - best.distance) <= rounding * best.distance;
+      return is_equal ? less(t, best.triangle) : distance < best.distance;
     }
     template <class Node>
     bool do_intersect(const Kernel::Point_3&, const Node& node) const
@@ -144,12 +155,13 @@ private:
         const double outside = (std::max)((std::max)((box.min)(i)-p[i], p[i] - (box.max)(i)), 0.);
         squared += outside * outside;
       }
-      return squared < best.distance * best.distance;
+      return squared <= best.distance * best.distance * (1 + 3 * rounding);
     }
 
     const Triangle_tree& owner;
     const Eigen::Vector3d p;
     const Admitted& admitted;
+    const Less& less;
     Place best;
   };
 
