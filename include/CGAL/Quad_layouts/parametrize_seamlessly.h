@@ -80,12 +80,12 @@ surface get a constant coordinate. Then inverted triangles are turned back by th
 distortion of Garanzha et al., <em>Foldover-free maps in 50 lines of code</em>, 2021, over the free
 unknowns of the seamless maps, so that the map stays seamless. Vertices around which triangles cover
 the wrong angle get their triangles spread over the right one first, and then the same is done
-again. Where a few defects are left, quarters of index are moved to neighbours of the vertices that
-miss their angles, and the work begins anew, with its progress, until there are none, or no move
-helps: the singularities of the result may differ from those of the field there. At last coordinates
-are rounded to integer multiples of a power of two that satisfy all relations exactly (Mandad and
-Campen, <em>Exact constraint satisfaction for truly seamless parametrization</em>, 2019), which is
-verified in integers.
+again. Where up to 100 defects are left, quarters of index are moved to neighbours of the vertices
+that miss their angles, and the work begins anew, with its progress, until there are none, or no
+move helps: the singularities of the result may differ from those of the field there. At last
+coordinates are rounded to integer multiples of a power of two that satisfy all relations exactly
+(Mandad and Campen, <em>Exact constraint satisfaction for truly seamless parametrization</em>,
+2019), which is verified in integers.
 
 The result counts what is not locally injective. There need not be a locally injective map for every
 field and mesh, and not every one that there is will be found.

@@ -47,7 +47,7 @@ public:
   // returns the map with the fewest defects
   Seamless_parametrization run()
   {
-    constexpr int most_defects = 100; // more have other reasons than single indices
+    constexpr int most_defects = 100; // more would take too many moves
     while (!m_map.is_locally_injective() && number_of_defects(m_map) <= most_defects && improve()) {
     }
     return std::move(m_map);
