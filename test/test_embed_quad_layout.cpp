@@ -244,6 +244,22 @@ BOOST_AUTO_TEST_CASE(derivatives_of_the_distortion_and_its_square)
 }
 
 // One step would make their distance from the border only half as large again.
+BOOST_AUTO_TEST_CASE(needles_measured_as_wide_weigh_little)
+{
+  using QL::internal::Point;
+  const Point p(0, 0, 0), q(10, 0, 0);
+  for (const double width : {0., 1e-9, 0.01, 8.}) {
+    const Point r(5, width, 0);
+    const QL::internal::Rest_shape narrow(p, q, r), wide(p, q, r, 0.5);
+    BOOST_TEST(wide.area > 10); // the equilateral triangle has 43
+    BOOST_TEST(wide.area >= narrow.area);
+    for (const auto& rest : {narrow, wide}) {
+      BOOST_TEST(rest.weight > 0);
+      BOOST_TEST(rest.weight <= (std::max)(5.001 * width, 1e-4));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(vertices_leave_the_border_of_their_polygons)
 {
   using QL::internal::Map;

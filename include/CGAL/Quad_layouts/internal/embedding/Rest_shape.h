@@ -28,10 +28,15 @@ namespace internal {
 struct Rest_shape
 {
   static constexpr double least_aspect = 1e-3;
+  static constexpr double least_weight = 1e-6; // against the area
 
   Eigen::Matrix2d
       inverse; // of the matrix of its edges from corner 0, in a frame with x along its first edge
-  double area;
+  double area; // as it is measured
+
+  // The area that the triangle has on the surface, but not nothing. A needle that is measured as if
+  // it were wide must not count as if it were large: then it would take the room of the others.
+  double weight;
 
   Rest_shape(const Point& p, const Point& q, const Point& r, double aspect = least_aspect)
   {
@@ -42,9 +47,11 @@ struct Rest_shape
       edges << length, a.dot(b) / length, 0, a.cross(b).norm() / length;
     else
       edges << 0, 0, 0, b.norm();
+    const double area_on_surface = edges.determinant() / 2;
     widen(edges, aspect);
     inverse = edges.inverse();
     area = edges.determinant() / 2;
+    weight = (std::max)(area_on_surface, least_weight * area);
   }
 
   Eigen::Matrix2d jacobian(const std::array<Point2, 3>& corners) const

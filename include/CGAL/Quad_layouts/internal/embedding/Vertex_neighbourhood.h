@@ -119,7 +119,7 @@ private:
   {
     double sum = 0;
     for (const Triangle& t : m_triangles)
-      sum += side(t.a, t.b, x) > 0 ? t.rest.area * Measure::value(t.jacobian(x))
+      sum += side(t.a, t.b, x) > 0 ? t.rest.weight * Measure::value(t.jacobian(x))
                                    : (std::numeric_limits<double>::infinity)();
     return sum;
   }
@@ -133,8 +133,8 @@ private:
     Eigen::Matrix<double, 4, 2> by_vertex;
     const Eigen::RowVector2d weight = -t.rest.inverse.colwise().sum();
     by_vertex << weight.x() * Eigen::Matrix2d::Identity(), weight.y() * Eigen::Matrix2d::Identity();
-    gradient += t.rest.area * by_vertex.transpose() * g;
-    hessian += t.rest.area * by_vertex.transpose() * h * by_vertex;
+    gradient += t.rest.weight * by_vertex.transpose() * g;
+    hessian += t.rest.weight * by_vertex.transpose() * h * by_vertex;
   }
 
   std::vector<Point2> bounding_box() const
