@@ -41,7 +41,8 @@ namespace internal {
 // - a short branch and cut in the whole program, which is enough for many models;
 // - rounds of growing effort: branch and cut where solution and relaxation differ; in
 //   neighbourhoods of the best solution, then of others made of it by exchange of loops at random,
-//   and where both differ; and from the second round on in the whole program, for the proof.
+//   and where both differ; and from the second round on in the whole program;
+// - between them, whenever bound and solution have come close, in the whole program for the proof.
 //
 // The effort of the solver is bounded by nodes of its search tree, so that results can be repeated;
 // time limits are the last resort. Of many index rows solvers see those that some solution has
@@ -73,11 +74,15 @@ public:
       limit_search();
       report_improvement();
       make_index_rows_lazy_if_many(m_program);
-      if (solve_relaxation())
-        search_whole_program(20, 0.1);
+      m_can_search_whole_program = solve_relaxation();
+      if (m_can_search_whole_program)
+        search_whole_program(200, 0.1);
       for (int factor = 1; !is_done() && factor <= largest_factor; factor *= 4) {
+        finish_if_close();
         search_disagreement(200 * factor);
+        finish_if_close();
         search_neighbourhoods(m_incumbent, 60 * factor);
+        finish_if_close();
         if (!is_done())
           search_elsewhere(60 * factor);
         if (factor > 1 && !is_done())
@@ -103,6 +108,7 @@ private:
 
   static constexpr double rounding = 1e-9; // relative error of objectives and bounds
 
+  double gap() const { return 1 - m_bound / m_incumbent.objective(); }
   bool is_proven() const
   {
     const double gap = (std::max)(m_options.relative_gap, rounding);
@@ -231,6 +237,16 @@ private:
     }
   }
 
+  // A short search that begins with a better solution, whose costs exclude more, proves what a long
+  // one does not. So it is tried again whenever the gap is half of what it was.
+  void finish_if_close()
+  {
+    if (!m_can_search_whole_program || is_done() || gap() > m_close_gap)
+      return;
+    m_close_gap = gap() / 2;
+    search_whole_program(2000, 0.2);
+  }
+
   // what the relaxation of the whole program takes at most
   int nodes_of_relaxation() const { return 20 + m_program.number_of_variables() / 50; }
 
@@ -345,6 +361,8 @@ private:
                        solutions[i].status == Box_solution::OPTIMAL, improved);
         failures = improved ? 0 : failures + 1;
       }
+      if (failures > patience / 4 && &incumbent == &m_incumbent)
+        finish_if_close();
     }
   }
 
@@ -426,8 +444,10 @@ private:
   Loop_exchange m_exchange;
   std::vector<double> m_relaxation;
   std::mt19937 m_random;
+  bool m_can_search_whole_program = false; // as there is time for its relaxation
   bool m_is_exhausted = false;
-  double m_bound = 0; // all costs are positive
+  double m_close_gap = 0.05; // half of that of the last search for the proof
+  double m_bound = 0;        // all costs are positive
 };
 
 } // namespace internal
