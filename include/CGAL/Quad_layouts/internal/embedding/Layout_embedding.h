@@ -116,8 +116,8 @@ private:
     Map coarsest = levels.coarse_map();
     Square_map(coarsest, embedded.vertices, m_layout, m_squares);
     map.coordinates = std::move(coarsest.coordinates);
-    constexpr double wide = 0.5; // what is narrow on the surface may first be wide in the map
-    restore<Distortion>(map, levels, removals_of_coarse_mesh, is_cone, m_monitor, wide);
+    constexpr Likeness alike{1, 0.5}; // what is narrow on the surface may first be wide in the map
+    restore<Distortion>(map, levels, removals_of_coarse_mesh, is_cone, m_monitor, alike);
     m_monitor.report("embed", 0.5);
     relax_coarse_map(map, levels, is_cone, m_monitor);
     m_monitor.report("embed", 0.7);

@@ -31,12 +31,12 @@ class Newton
 {
 public:
   // vertices without faces are not free
-  Newton(Map& map, const std::vector<char>& is_fixed, double aspect = Rest_shape::least_aspect)
+  Newton(Map& map, const std::vector<char>& is_fixed, const Likeness& likeness = {})
     : m_map(map), m_unknown(map.points.size(), -1)
   {
     for (const Map::Face& f : map.faces) {
       m_rest.emplace_back(map.points[f.vertex[0]], map.points[f.vertex[1]], map.points[f.vertex[2]],
-                          aspect);
+                          likeness.aspect);
       for (const int v : f.vertex)
         if (!is_fixed[v] && m_unknown[v] < 0) {
           m_unknown[v] = m_number_of_unknowns++;
@@ -44,20 +44,7 @@ public:
           m_is_locked.push_back(map.freedom[v] == Map::ALONG_X);
         }
     }
-  }
-
-  // From now on, measures the triangles as if their areas differed less: with `evenness` 1 they are
-  // all the same.
-  void even_out(double evenness)
-  {
-    double mean = 0;
-    for (const Rest_shape& r : m_rest)
-      mean += r.area / double(m_rest.size());
-    for (Rest_shape& r : m_rest) {
-      const double scale = std::pow(mean / r.area, evenness);
-      r.inverse /= std::sqrt(scale);
-      r.area *= scale;
-    }
+    even_out(m_rest, likeness.evenness, [](Rest_shape& r) -> Rest_shape& { return r; });
   }
 
   Eigen::Matrix2d jacobian(std::size_t f) const

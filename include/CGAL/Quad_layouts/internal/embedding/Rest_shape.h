@@ -28,15 +28,10 @@ namespace internal {
 struct Rest_shape
 {
   static constexpr double least_aspect = 1e-3;
-  static constexpr double least_weight = 1e-6; // against the area
 
   Eigen::Matrix2d
       inverse; // of the matrix of its edges from corner 0, in a frame with x along its first edge
-  double area; // as it is measured
-
-  // The area that the triangle has on the surface, but not nothing. A needle that is measured as if
-  // it were wide must not count as if it were large: then it would take the room of the others.
-  double weight;
+  double area;
 
   Rest_shape(const Point& p, const Point& q, const Point& r, double aspect = least_aspect)
   {
@@ -47,11 +42,16 @@ struct Rest_shape
       edges << length, a.dot(b) / length, 0, a.cross(b).norm() / length;
     else
       edges << 0, 0, 0, b.norm();
-    const double area_on_surface = edges.determinant() / 2;
     widen(edges, aspect);
     inverse = edges.inverse();
     area = edges.determinant() / 2;
-    weight = (std::max)(area_on_surface, least_weight * area);
+  }
+
+  // multiplies the area
+  void scale(double factor)
+  {
+    inverse /= std::sqrt(factor);
+    area *= factor;
   }
 
   Eigen::Matrix2d jacobian(const std::array<Point2, 3>& corners) const
@@ -80,6 +80,27 @@ private:
       edges.row(1) *= -1;
   }
 };
+
+// How much more alike triangles are than they are on the surface, when a map is measured: then none
+// dominates the others.
+struct Likeness
+{
+  double evenness = 0; // of areas: with 1 they are all the same
+  double aspect = Rest_shape::least_aspect;
+};
+
+// Makes the areas differ less. `shape` tells the `Rest_shape` of an element.
+template <class Triangles, class Shape>
+void even_out(Triangles& triangles, double evenness, const Shape& shape)
+{
+  if (evenness == 0)
+    return;
+  double mean = 0;
+  for (auto& t : triangles)
+    mean += shape(t).area / double(triangles.size());
+  for (auto& t : triangles)
+    shape(t).scale(std::pow(mean / shape(t).area, evenness));
+}
 
 } // namespace internal
 } // namespace Quad_layouts

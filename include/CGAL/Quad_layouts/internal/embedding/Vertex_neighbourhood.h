@@ -27,9 +27,8 @@ template <class Measure>
 class Vertex_neighbourhood
 {
 public:
-  // `aspect`: as for `Rest_shape`
   Vertex_neighbourhood(const Map& map, int v, const std::vector<int>& star,
-                       double aspect = Rest_shape::least_aspect)
+                       const Likeness& likeness = {})
     : m_freedom(map.freedom[v]), m_spacing(map.spacing)
   {
     for (const int f : star) {
@@ -42,8 +41,9 @@ public:
         m_on_curve.push_back(to_vertex(map.corner(face, b)));
       m_triangles.push_back({to_vertex(map.corner(face, a)), to_vertex(map.corner(face, b)),
                              Rest_shape(map.points[v], map.points[face.vertex[a]],
-                                        map.points[face.vertex[b]], aspect)});
+                                        map.points[face.vertex[b]], likeness.aspect)});
     }
+    even_out(m_triangles, likeness.evenness, [](Triangle& t) -> Rest_shape& { return t.rest; });
   }
 
   // Finds a point from which all opposite edges are seen from their left: the centroid of the
@@ -119,7 +119,7 @@ private:
   {
     double sum = 0;
     for (const Triangle& t : m_triangles)
-      sum += side(t.a, t.b, x) > 0 ? t.rest.weight * Measure::value(t.jacobian(x))
+      sum += side(t.a, t.b, x) > 0 ? t.rest.area * Measure::value(t.jacobian(x))
                                    : (std::numeric_limits<double>::infinity)();
     return sum;
   }
@@ -133,8 +133,8 @@ private:
     Eigen::Matrix<double, 4, 2> by_vertex;
     const Eigen::RowVector2d weight = -t.rest.inverse.colwise().sum();
     by_vertex << weight.x() * Eigen::Matrix2d::Identity(), weight.y() * Eigen::Matrix2d::Identity();
-    gradient += t.rest.weight * by_vertex.transpose() * g;
-    hessian += t.rest.weight * by_vertex.transpose() * h * by_vertex;
+    gradient += t.rest.area * by_vertex.transpose() * g;
+    hessian += t.rest.area * by_vertex.transpose() * h * by_vertex;
   }
 
   std::vector<Point2> bounding_box() const

@@ -26,7 +26,7 @@ namespace internal {
 // How triangles are measured while a map is improved, and for how long.
 struct Relaxation_stage
 {
-  double evenness, aspect; // as for `Newton::even_out()` and `Rest_shape`
+  Likeness likeness;
   int max_steps;
 };
 
@@ -38,8 +38,7 @@ void relax(Map& map, const std::vector<char>& is_fixed, const Relaxation_stage& 
   constexpr double large = 1e5;
   const double effort = (std::min)(1., large / double(map.faces.size()));
   const int max_steps = int(std::ceil(effort * stage.max_steps));
-  Newton<Measure> newton(map, is_fixed, stage.aspect);
-  newton.even_out(stage.evenness);
+  Newton<Measure> newton(map, is_fixed, stage.likeness);
   double value = newton.value(), decrease = 1;
   for (int i = 0; i < max_steps && decrease > 1e-4; ++i) {
     monitor.check("embed");
@@ -50,12 +49,11 @@ void relax(Map& map, const std::vector<char>& is_fixed, const Relaxation_stage& 
 
 // Moves a vertex by some Newton steps, and on as long as they help much: from near the border of the
 // polygon around it, where the measure is large, each leads away by only a part of the distance.
-// `aspect`: as for `Rest_shape`
 template <class Measure>
 void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps,
-                    double aspect = Rest_shape::least_aspect)
+                    const Likeness& likeness = {})
 {
-  const Vertex_neighbourhood<Measure> neighbourhood(map, v, levels.star(v), aspect);
+  const Vertex_neighbourhood<Measure> neighbourhood(map, v, levels.star(v), likeness);
   constexpr double much = 0.75;
   constexpr int most_steps = 100;
   double part = 1;
@@ -70,19 +68,19 @@ void improve_vertex(Map& map, const Vertex_removal& levels, int v, int steps,
 // Throws if rounding hides it.
 template <class Measure>
 void restore(Map& map, Vertex_removal& levels, int left, const std::vector<char>& is_fixed,
-             const Monitor& monitor, double aspect = Rest_shape::least_aspect)
+             const Monitor& monitor, const Likeness& likeness = {})
 {
   for (int i = 0; levels.number_of_removals() > left; ++i) {
     if (i % 1024 == 0)
       monitor.check("embed");
     const int v = levels.restore();
-    if (!Vertex_neighbourhood<Measure>(map, v, levels.star(v), aspect)
+    if (!Vertex_neighbourhood<Measure>(map, v, levels.star(v), likeness)
              .find_center(map.coordinates[v]))
       throw Stage_failure("embed: there is no room in the map for vertex " + std::to_string(v));
-    improve_vertex<Measure>(map, levels, v, 4, aspect);
+    improve_vertex<Measure>(map, levels, v, 4, likeness);
     levels.for_each_neighbour(v, [&](int w) {
       if (!is_fixed[w])
-        improve_vertex<Measure>(map, levels, w, 1, aspect);
+        improve_vertex<Measure>(map, levels, w, 1, likeness);
     });
   }
 }
@@ -110,7 +108,6 @@ void sweep(Map& map, const Vertex_removal& levels, const std::vector<char>& is_f
 inline void relax_coarse_map(Map& map, const Vertex_removal& levels,
                              const std::vector<char>& is_fixed, const Monitor& monitor)
 {
-  constexpr double aspect = Rest_shape::least_aspect;
   const auto relax_all = [&](const auto& change) {
     Map coarse = levels.coarse_map();
     change(coarse);
@@ -118,13 +115,13 @@ inline void relax_coarse_map(Map& map, const Vertex_removal& levels,
     map.spacing = coarse.spacing;
   };
   relax_all([&](Map& coarse) {
-    for (const Relaxation_stage& stage : {Relaxation_stage{1, 0.5, 20}, {0.75, 0.1, 20},
-                                          {0.5, 0.02, 20}, {0.25, 0.005, 20}, {0, aspect, 20}})
+    for (const Relaxation_stage& stage : {Relaxation_stage{{1, 0.5}, 20}, {{0.75, 0.1}, 20},
+                                          {{0.5, 0.02}, 20}, {{0.25, 0.005}, 20}, {{}, 20}})
       relax<Distortion>(coarse, is_fixed, stage, monitor);
   });
   sweep<Squared_distortion>(map, levels, is_fixed, monitor);
   relax_all([&](Map& coarse) {
-    relax<Squared_distortion>(coarse, is_fixed, {0, aspect, 50}, monitor);
+    relax<Squared_distortion>(coarse, is_fixed, {{}, 50}, monitor);
     put_on_grid(coarse);
   });
 }
