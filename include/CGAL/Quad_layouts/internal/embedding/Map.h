@@ -58,6 +58,18 @@ struct Map
   }
 };
 
+// twice the signed area of the triangle (a, b, p): positive if p is to the left of the line from a to
+// b; the sign is exact on a grid that all charts express exactly
+inline double side(const Point2& a, const Point2& b, const Point2& p)
+{
+  return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+}
+
+inline bool is_positive(const std::array<Point2, 3>& corners)
+{
+  return side(corners[0], corners[1], corners[2]) > 0;
+}
+
 // the nearest point whose coordinates are multiples of `spacing`, or the same point if that is zero
 inline Point2 on_grid(const Point2& x, double spacing)
 {

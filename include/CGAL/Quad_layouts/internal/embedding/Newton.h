@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -52,12 +53,15 @@ public:
     return m_rest[f].jacobian(m_map.corners(m_map.faces[f]));
   }
 
-  // the distortion of all triangles, weighted by area
+  // the distortion of all triangles, weighted by area; infinite if one is inverted, which is exact
+  // on the grid
   double value() const
   {
     double sum = 0;
     for (std::size_t f = 0; f < m_map.faces.size(); ++f)
-      sum += m_rest[f].area * Measure::value(jacobian(f));
+      sum += is_positive(m_map.corners(m_map.faces[f]))
+                 ? m_rest[f].area * Measure::value(jacobian(f))
+                 : (std::numeric_limits<double>::infinity)();
     return sum;
   }
 
@@ -175,7 +179,7 @@ private:
   void go(const std::vector<Point2>& start, const Eigen::VectorXd& move, double length)
   {
     for (std::size_t v = 0; v < m_unknown.size(); ++v)
-      m_map.coordinates[v] = start[v] + length * move_of(int(v), move);
+      m_map.coordinates[v] = on_grid(start[v] + length * move_of(int(v), move), m_map.spacing);
   }
 
   Map& m_map;

@@ -147,11 +147,6 @@ private:
     return {low, Point2(high.x(), low.y()), high, Point2(low.x(), high.y())};
   }
 
-  static double side(const Point2& a, const Point2& b, const Point2& p)
-  {
-    return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
-  }
-
   // clips a convex polygon to the left of the line from a to b
   static std::vector<Point2> left_part(const std::vector<Point2>& polygon, const Point2& a,
                                        const Point2& b)

@@ -100,7 +100,8 @@ void sweep(Map& map, const Vertex_removal& levels, const std::vector<char>& is_f
 }
 
 // Improves the map that is left of a map when vertices are removed. It has no inverted triangles,
-// but may be far from the best.
+// but may be far from the best. As long as all of them have room it is put on the grid: narrow ones,
+// which come out of the relaxation, could be inverted by that.
 //
 // At first all triangles are measured as if they were of the same size and not narrow, so that none
 // dominates; then more and more as they are. At last squares count: vertices move one by one before
@@ -115,6 +116,7 @@ inline void relax_coarse_map(Map& map, const Vertex_removal& levels,
     map.spacing = coarse.spacing;
   };
   relax_all([&](Map& coarse) {
+    put_on_grid(coarse);
     for (const Relaxation_stage& stage : {Relaxation_stage{{1, 0.5}, 20}, {{0.75, 0.1}, 20},
                                           {{0.5, 0.02}, 20}, {{0.25, 0.005}, 20}, {{}, 20}})
       relax<Distortion>(coarse, is_fixed, stage, monitor);
@@ -122,7 +124,6 @@ inline void relax_coarse_map(Map& map, const Vertex_removal& levels,
   sweep<Squared_distortion>(map, levels, is_fixed, monitor);
   relax_all([&](Map& coarse) {
     relax<Squared_distortion>(coarse, is_fixed, {{}, 50}, monitor);
-    put_on_grid(coarse);
   });
 }
 
