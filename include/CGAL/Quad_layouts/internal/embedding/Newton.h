@@ -58,10 +58,12 @@ public:
   double value() const
   {
     double sum = 0;
-    for (std::size_t f = 0; f < m_map.faces.size(); ++f)
-      sum += is_positive(m_map.corners(m_map.faces[f]))
-                 ? m_rest[f].area * Measure::value(jacobian(f))
-                 : (std::numeric_limits<double>::infinity)();
+    for (std::size_t f = 0; f < m_map.faces.size(); ++f) {
+      const std::array<Point2, 3> corners = m_map.corners(m_map.faces[f]);
+      if (!is_positive(corners))
+        return (std::numeric_limits<double>::infinity)();
+      sum += m_rest[f].area * Measure::value(m_rest[f].jacobian(corners));
+    }
     return sum;
   }
 
