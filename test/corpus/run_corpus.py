@@ -216,7 +216,7 @@ def main():
     parser.add_argument("--data", nargs="+", default=[os.path.join(os.environ.get("CGAL_DATA_DIR", "."), "meshes")])
     parser.add_argument("--models", nargs="*")
     parser.add_argument("--features", type=float, default=0, help="the angle of sharp edges, in degrees")
-    parser.add_argument("--seconds", type=float, default=600, help="that a model may take")
+    parser.add_argument("--seconds", type=float, default=1800, help="that a model may take")
     parser.add_argument("--metrics")
     parser.add_argument("--route", help="that of the command if not given")
     parser.add_argument("--strict", action="store_true")
