@@ -32,23 +32,24 @@ namespace internal {
 // has inner vertices, and these are connected, and next to every boundary vertex. So it is enough
 // to split such edges, which come with every new line.
 //
+// The middle one of parallel lines comes first, then those in the middle of both halves: a line has
+// a vertex more for each edge from its neighbour to elsewhere, so that n lines from one side to the
+// other would have up to n^3 vertices. Halves have hardly more than n^2 log n.
+//
 // In a patch of zero width, the lines from side to side are mapped to points.
 class Grid_lines
 {
 public:
   Grid_lines(Quantized_overlay& overlay, const Monitor& monitor)
-    : m_overlay(overlay), m_is_taken(overlay.mesh().points.size(), 0)
+    : m_overlay(overlay), m_monitor(monitor), m_is_taken(overlay.mesh().points.size(), 0)
   {
     for (int h = 0; h < mesh().number_of_halfedges(); ++h)
       if (mesh().curve[h] >= 0)
         m_is_taken[mesh().source(h)] = 1;
     detach_boundaries();
-    for (int p = 0; p < overlay.t_mesh().number_of_faces(); ++p) {
-      if (p % 256 == 0)
-        monitor.check("embed");
+    for (int p = 0; p < overlay.t_mesh().number_of_faces(); ++p)
       if (has_lines(p))
         draw_grid(p);
-    }
   }
 
 private:
@@ -82,27 +83,45 @@ private:
     return m_overlay.split(h);
   }
 
+  // what a column of a grid lies between
+  struct Column
+  {
+    std::vector<Corner> left, right;
+  };
+
   void draw_grid(int p)
   {
     const int width = grid(p).width, height = grid(p).height;
     const auto sides = m_overlay.t_mesh().sides(p);
+    std::vector<Column> columns((std::max)(width, 1));
+    columns.front().left = corners(sides[3], height);
+    std::reverse(columns.front().left.begin(), columns.front().left.end());
+    columns.back().right = corners(sides[1], height);
     const std::vector<Corner> bottom = corners(sides[0], width), top = corners(sides[2], width);
-    std::vector<Corner> left = corners(sides[3], height);
-    std::reverse(left.begin(), left.end());
-    for (int i = 1; i < width; ++i) {
+    for_each_middle_first(1, width, [&](int i) {
       std::vector<int> line = draw_line(bottom[i - 1], top[width - 1 - i]);
       const std::vector<int> stops = divide(line, height);
       label_vertical(p, i, line, stops);
       detach(p, line);
-      std::vector<Corner> facing_left, facing_right;
-      for (std::size_t k = 0; k < stops.size(); ++k) {
-        facing_left.push_back({line[stops[k]], line[stops[k] + 1]});
-        facing_right.push_back({line[stops[k]], line[stops[k] - 1]});
+      for (const int k : stops) {
+        columns[i - 1].right.push_back({line[k], line[k + 1]});
+        columns[i].left.push_back({line[k], line[k - 1]});
       }
-      draw_horizontals(p, i - 1, left, facing_left);
-      left = std::move(facing_right);
-    }
-    draw_horizontals(p, (std::max)(width - 1, 0), left, corners(sides[1], height));
+    });
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      draw_horizontals(p, int(i), columns[i].left, columns[i].right);
+  }
+
+  // calls `draw` for the numbers from `first` to before `end`
+  template <class Draw>
+  static void for_each_middle_first(int first, int end, const Draw& draw)
+  {
+    if (first >= end)
+      return;
+    const int middle = first + (end - first) / 2;
+    draw(middle);
+    for_each_middle_first(first, middle, draw);
+    for_each_middle_first(middle + 1, end, draw);
   }
 
   // per integer inside of a side of a patch a corner there; a side may have several points at an
@@ -138,6 +157,7 @@ private:
   // draws a shortest path through free vertices; returns its vertices
   std::vector<int> draw_line(const Corner& from, const Corner& to)
   {
+    m_monitor.check("embed");
     m_reached_from.resize(mesh().points.size(), -1);
     std::vector<int> queue;
     for (const int h : inner(from))
@@ -218,13 +238,13 @@ private:
   void draw_horizontals(int p, int i, const std::vector<Corner>& left,
                         const std::vector<Corner>& right)
   {
-    for (std::size_t j = 0; j < left.size(); ++j) {
+    for_each_middle_first(0, int(left.size()), [&](int j) {
       const std::vector<int> line = draw_line(left[j], right[j]);
       if (grid(p).width > 0)
         for (std::size_t k = 0; k + 1 < line.size(); ++k)
-          m_overlay.set_line(halfedge(line, k), grid(p).square(i, int(j) + 1));
+          m_overlay.set_line(halfedge(line, k), grid(p).square(i, j + 1));
       detach(p, line);
-    }
+    });
   }
 
   // splits the edges inside of patch p that join a vertex of a new line to a boundary
@@ -246,6 +266,7 @@ private:
   }
 
   Quantized_overlay& m_overlay;
+  const Monitor& m_monitor;
   std::vector<char> m_is_taken;    // per vertex: whether it is on an arc or a line
   std::vector<int> m_reached_from; // per vertex, scratch of `draw_line`
 };
