@@ -178,8 +178,8 @@ The first solution takes time about quadratic in the number of traces. The progr
 optimum takes exponential time in the worst case.
 
 The parts of the search end after a number of nodes of the search tree, and at the latest after a
-share of `maximum_search_time`, 3 to 25 %. The same input has the same output on every run, as long
-as no part takes the whole of its share. Where results must be the same on slow and fast machines,
+share of the time. The same input has the same output on every run, as long as no part takes the
+whole of its share, which is 3 % of `maximum_search_time` for the shortest ones. Where results must be the same on slow and fast machines,
 give more time, and end the search by `relative_gap`.
 */
 template <class MixedIntegerProgramTraits = GLPK_mixed_integer_program_traits<double>,

