@@ -179,8 +179,8 @@ optimum takes exponential time in the worst case.
 
 The parts of the search end after a number of nodes of the search tree, and at the latest after a
 share of the time. The same input has the same output on every run, as long as no part takes the
-whole of its share, which is 3 % of `maximum_search_time` for the shortest ones. Where results must be the same on slow and fast machines,
-give more time, and end the search by `relative_gap`.
+whole of its share, which is 3 % of `maximum_search_time` for the shortest ones. Where results must
+be the same on slow and fast machines, give more time, and end the search by `relative_gap`.
 */
 template <class MixedIntegerProgramTraits = GLPK_mixed_integer_program_traits<double>,
           class NamedParameters = parameters::Default_named_parameters>
